@@ -1,0 +1,1 @@
+"""From a scene to a standalone solver module: slicing, printing, reading back."""

@@ -1,0 +1,1 @@
+"""Ordinary, tested Python from which the emitter takes the functions that a scene reaches."""

@@ -1,0 +1,1 @@
+"""References that share no formula with the solvers, and error against run time."""
