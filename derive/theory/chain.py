@@ -1,0 +1,74 @@
+"""The whole derivation: from the energy of a particle to the formulas that solvers evaluate."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from . import equilibrium, plane, quartic, shape, tip, weierstrass
+from .claims import Formula, Notebook
+from .load_case import LoadCase
+from .plane import Plane
+from .shape import Shape
+from .tip import Tip
+from .weierstrass import Weierstrass
+
+STEPS = ("plane", "quartic", "weierstrass", "shape", "tip")
+
+
+@dataclass(frozen=True)
+class Theory:
+    """Everything that the energy leads to; mappings are by the name of the load case."""
+
+    section2: Any = field(repr=False)
+    plane: Plane
+    cases: Mapping[str, LoadCase]
+    weierstrass: Mapping[str, Weierstrass]
+    shapes: Mapping[str, Shape]
+    tips: Mapping[str, Tip]
+    formulas: tuple[Formula, ...]
+    book: Notebook = field(repr=False)
+
+
+def derive_all(energy: Any = None, book: Notebook | None = None) -> Theory:
+    """Run all scripts in order. The energy is that of paramagnetic particles unless another is given."""
+    book = Notebook() if book is None else book
+    section2 = equilibrium.derive_section2(energy=energy, book=book)
+    return derive_section3(section2, book)
+
+
+def derive_section3(section2: Any, book: Notebook, last: str = STEPS[-1]) -> Any:
+    """Run the scripts of Section 3 from the vector equations of equilibrium, up to a step."""
+    plane_problem = plane.derive(section2, book)
+    if last == "plane":
+        return plane_problem
+    cases = quartic.derive(plane_problem, book)
+    if last == "quartic":
+        return cases
+    functions = weierstrass.derive(cases, book)
+    if last == "weierstrass":
+        return functions
+    shapes = shape.derive(cases, functions, book)
+    if last == "shape":
+        return shapes
+    tips = tip.derive(cases, functions, book)
+    formulas = tuple(formula for one in tips.values() for formula in one.formulas)
+    return Theory(section2, plane_problem, cases, functions, shapes, tips, formulas, book)
+
+
+def print_up_to(last: str, energy: Any = None) -> None:
+    """Print the notebook of the derivation up to a script of Section 3."""
+    book = Notebook()
+    derive_section3(equilibrium.derive_section2(energy=energy, book=book), book, last)
+    for line in book.text():
+        print(line)
+
+
+def main() -> None:
+    """Print the whole derivation."""
+    print_up_to(STEPS[-1])
+
+
+if __name__ == "__main__":
+    main()

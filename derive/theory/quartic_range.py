@@ -1,0 +1,105 @@
+"""Claims on the range of the constant of a load case, and on the roots of f̂ there (exsl24-exsl27, exhpf8-exhpf10)."""
+
+from __future__ import annotations
+
+from sympy import Expr, diff, factor, sympify
+
+from .claims import Domain, Equal, Limit, Notebook, Positive
+from .load_case import COSINES, LoadCase, linear_root, xi_tip
+from .symbols import xi
+
+SOURCES = {"parallel": "exsl24", "orthogonal": "exhpf8", "field_only": "slch3", "force_only": "slch6"}
+LIMITS = {"parallel": ("exsl26", "exsl27"), "orthogonal": ("exhpf9", "exhpf10")}
+
+
+def claim_range(case: LoadCase, book: Notebook) -> None:
+    """The range of the constant, the roots at its ends, and the roots against ±1."""
+    book.show(f"range of {case.constant}", case.ends)
+    _claim_ends(case, book)
+    _claim_order(case, book)
+    _claim_limits(case, book)
+    if case.bends:
+        _claim_positions(case, book)
+
+
+def _claim(book: Notebook, case: LoadCase, key: str, title: str, positive: Expr, domain: Domain) -> None:
+    book.claim(f"quartic.{case.name}.{key}", title, Positive(positive), domain=domain, source=SOURCES[case.name])
+
+
+def _claim_ends(case: LoadCase, book: Notebook) -> None:
+    """The constant of every tip lies between the ends."""
+    gaps = {"lower": factor(case.tip_constant - case.ends[0]), "upper": factor(case.ends[1] - case.tip_constant)}
+    any_tip = case.domain(xi_tip=COSINES)
+    double = ("lower", "upper")[:: case.sense][0] if case.bends else ""
+    straight = dict(zip(gaps, COSINES, strict=True)) if not case.bends else dict.fromkeys(gaps, case.bends)
+    for end, gap in gaps.items():
+        reached = Equal(gap.subs(xi_tip, case.vertex if end == double else straight[end]), 0)
+        title = f"the {end} end is reached"
+        name = f"quartic.{case.name}.end_{end}"
+        book.claim(name, title, reached, domain=case.domain(), source=SOURCES[case.name])
+        # At the double root the gap is a square: the tips on either side of the vertex.
+        if end == double:
+            sides = {
+                "below": case.steep(xi_tip=(COSINES[0], case.vertex)),
+                "above": case.steep(xi_tip=(case.vertex, 1)),
+            }
+        else:
+            sides = {"side": any_tip}
+        for side, where in sides.items():
+            _claim(book, case, f"range_{end}_{side}", f"the constant of a tip is within the {end} end", gap, where)
+
+
+def _claim_order(case: LoadCase, book: Notebook) -> None:
+    """Real distinct roots in their order, monotone in the constant."""
+    where = case.domain(**{case.constant.name: case.ends})
+    if case.bends:
+        discriminant = case.force**2 + case.f_hat.subs(xi, 0) * case.stiffness
+        _claim(book, case, "distinct", "Δ > 0, the roots of f̂ are real", discriminant, where)
+        _claim(book, case, "order", "ξ_a < ξ_b", case.roots[1] - case.roots[0], where)
+        _claim(book, case, "falling_a", "ξ_a is monotone", -case.sense * diff(case.roots[0], case.constant), where)
+    _claim(book, case, "rising_b", "the last root is monotone", case.sense * diff(case.roots[-1], case.constant), where)
+
+
+def _claim_limits(case: LoadCase, book: Notebook) -> None:
+    """The roots at the ends: both at the vertex; or one at ±1, and by Vieta the other at its mate."""
+    ends: list[tuple[Expr, ...]]
+    if case.other_root is None:
+        ends = [(end,) for end in COSINES]
+    else:
+        side = sympify(case.bends)
+        mate = case.other_root.subs(xi_tip, side)
+        straight = (mate, side) if case.bends == 1 else (side, mate)
+        ends = [(case.vertex, case.vertex), straight]
+    for end, point, side, values in zip(("lower", "upper"), case.ends, "+-", ends[:: case.sense], strict=True):
+        source = LIMITS.get(case.name, (SOURCES[case.name],) * 2)[0 if end == "lower" else 1]
+        for letter, root, value in zip("ab" if case.bends else "2", case.roots, values, strict=True):
+            limit = Limit(root, case.constant, point, value, side)
+            title = f"ξ_{letter} at the {end} end of the range"
+            where = case.domain(**{case.constant.name: case.ends})
+            book.claim(f"quartic.{case.name}.{end}_{letter}", title, limit, domain=where, source=source)
+
+
+def _claim_positions(case: LoadCase, book: Notebook) -> None:
+    """The roots of f̂ against ±1, by the sign of f̂ there and the place of its vertex (after exsl27, exhpf10)."""
+    lower, upper = case.ends
+    # near: the end of [−1, 1] that the roots of f̂ never enclose; far: the one that they may enclose.
+    near = sympify(case.bends)
+    far = -near
+    reach = linear_root(case.f_hat.subs(xi, far), case.constant)
+    enclosed = ((reach, upper), (lower, reach))[:: case.sense][0]
+    name = case.constant.name
+    # f̂ has the sign of −H outside the roots, and that of H between them.
+    outside, between = -case.bends * case.f_hat, case.bends * case.f_hat
+    title = f"{near} is outside the roots of f̂"
+    _claim(book, case, "near_outside", title, outside.subs(xi, near), case.domain(**{name: case.ends}))
+    title = f"the mean of the roots is on the inner side of {near}"
+    _claim(book, case, "near_vertex", title, near * (near - case.vertex), case.domain())
+    if case.force != 0:
+        title = f"{far} is between the roots of f̂ in one part of the range"
+        _claim(book, case, "far_between", title, between.subs(xi, far), case.domain(**{name: enclosed}))
+    # The other part, written by the root nearer to the other side of 1 and −1.
+    assert case.other_root is not None
+    mate = case.other_root.subs(xi_tip, far)
+    tips = case.steep(xi_tip=(case.vertex, mate) if case.bends == 1 else (mate, case.vertex))
+    beyond = factor(outside.subs({case.constant: case.tip_constant, xi: far}))
+    _claim(book, case, "far_outside", f"{far} is outside the roots of f̂ in the other part", beyond, tips)

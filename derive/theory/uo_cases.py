@@ -1,0 +1,119 @@
+"""Where the rod begins in the plane of u: u_o = ω − ℓ, and the roots of f at the half-periods (after exsl31, exhpf12).
+
+ω₁ is the real half-period, ω₃ the imaginary one, ω₂ = ω₁ + ω₃, so that ℘(ω₁) > ℘(ω₂) > ℘(ω₃).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import pairwise
+
+from sympy import Expr, Integer, factor, oo
+
+from .claims import Domain, Equal, Notebook, Positive
+from .load_case import COSINES, LoadCase, linear_root, xi_tip
+from .symbols import beta
+
+HALF_PERIODS = ("omega_1", "omega_2", "omega_3")
+PLACES = {"(0, omega_1)": 0, "(omega_1, omega_2)": 1, "(omega_3, 0)": 3}  # of ℘(v) among the half-period values
+
+
+@dataclass(frozen=True)
+class UoCase:
+    """One case of u_o = (half-period) − ℓ.
+
+    condition: when it holds. roots: the roots of f at ω₁, ω₂, ω₃, in ξ(ℓ). half_period: the one at the tip, where
+    ξ = ξ(ℓ). value: ξ(ℓ), by name of the root. pole: the segment on which v lies (ξ = ∞). domain: in ξ(ℓ).
+    """
+
+    condition: str
+    roots: tuple[Expr, Expr, Expr]
+    half_period: str
+    value: str
+    pole: str
+    domain: Domain
+
+
+def uo_cases(
+    case: LoadCase,
+    value_at: Callable[[Expr], Expr],
+    pole: Expr | None,
+    cubic: Callable[[Expr], Expr],
+    book: Notebook,
+) -> tuple[UoCase, ...]:
+    """All cases of a load case. value_at: ℘ at a root of f. pole: ℘(v), if finite. cubic: 4ϰ³ − g₂ϰ − g₃ at ϰ."""
+    found = {1: _bending, 0: _without_field, -1: _straightening}[case.bends](case)
+    for number, one in enumerate(found, start=1):
+        name = f"weierstrass.{case.name}.start_{number}"
+        source = "exhpf12" if case.name == "orthogonal" else "exsl31"
+        to_tip = {case.constant: case.tip_constant}
+        values = [value_at(root).subs(to_tip) for root in one.roots]
+        for half_period, value in zip(HALF_PERIODS, values, strict=True):
+            root = Equal(cubic(value).subs(to_tip), 0)
+            title = f"{one.condition}: ℘ at {half_period}"
+            book.claim(f"{name}_{half_period}", title, root, domain=one.domain, source=source)
+        # Down the real values of ℘ on the rectangle: ℘(ω₁) > ℘(ω₂) > ℘(ω₃), with ℘(v) on its segment.
+        if pole is not None:
+            values.insert(PLACES[one.pole], pole.subs(to_tip))
+        steps = [above - below for above, below in pairwise(values)]
+        for place, step in enumerate(steps, start=1):
+            title = f"{one.condition}: the order of the half-period values and ℘(v)"
+            order = Positive(factor(step))
+            book.claim(f"{name}_order_{place}", title, order, domain=one.domain, source=source)
+        whole = Equal(sum(steps, start=values[-1]), values[0])
+        title = f"{one.condition}: the steps lead from the first to the last"
+        book.claim(f"{name}_whole", title, whole, domain=one.domain, source=source)
+        book.say(f"{one.condition}: ξ(ℓ) = {one.value}, u_o = {one.half_period} − ℓ")
+    return tuple(found)
+
+
+def _start(case: LoadCase, condition: str, order: str, value: str, pole: str, domain: Domain) -> UoCase:
+    """A case from the order of the roots: letters p, m, t, o for 1, −1, ξ(ℓ) and the other root of f̂."""
+    letters = {"p": Integer(1), "m": Integer(-1), "t": xi_tip, "o": case.other_root}
+    roots = tuple(letters[letter] for letter in order)
+    return UoCase(condition, roots, HALF_PERIODS[order.index("t")], value, pole, domain)
+
+
+def _strong_force(case: LoadCase, gap: Expr) -> Domain:
+    """ξ(ℓ) anywhere, and the force so large that the gap, which falls with it, is negative."""
+    others = {p: (0, oo) for p in case.parameters if p != beta}
+    return Domain({xi_tip: COSINES, **others, beta: (linear_root(gap, beta), oo)})
+
+
+def _bending(case: LoadCase) -> list[UoCase]:
+    """H > 0: 1 is the greatest root, b > 0, and ℘(v) = c is above all half-period values (text after exsl31)."""
+    other, above = case.other_root, "(0, omega_1)"
+    assert other is not None
+    meets = linear_root(1 + other, xi_tip)
+    upper, lower = case.steep(xi_tip=(case.vertex, meets)), case.steep(xi_tip=(COSINES[0], case.vertex))
+    found = [
+        _start(case, "ξ_a > −1, ξ increasing towards the tip", "mot", "xi_b", above, upper),
+        _start(case, "ξ_a > −1, ξ decreasing towards the tip", "mto", "xi_a", above, lower),
+    ]
+    if case.tip_force != 0:
+        found.insert(0, _start(case, "ξ_a < −1", "omt", "xi_b", above, _strong_force(case, 1 + other)))
+    return found
+
+
+def _straightening(case: LoadCase) -> list[UoCase]:
+    """H < 0: −1 is the smallest root; v lies below or between the half-period values (text after exhpf12)."""
+    other, below, amid = case.other_root, "(omega_3, 0)", "(omega_1, omega_2)"
+    assert other is not None
+    meets = linear_root(1 - other, xi_tip)
+    upper, lower = case.steep(xi_tip=(case.vertex, 1)), case.steep(xi_tip=(meets, case.vertex))
+    found = [
+        _start(case, "ξ_b < 1, ξ(0) > ξ_b", "tom", "xi_b", below, upper),
+        _start(case, "ξ_b < 1, ξ(0) < ξ_a", "otm", "xi_a", below, lower),
+    ]
+    if case.tip_force != 0:
+        found.append(_start(case, "ξ_b > 1", "omt", "xi_a", amid, _strong_force(case, other - 1)))
+    return found
+
+
+def _without_field(case: LoadCase) -> list[UoCase]:
+    """H = 0: the linear map keeps the order of the roots 1, ξ_2, −1; ξ is infinite at u = 0 (after slch11)."""
+    return [_start(case, "−1 < ξ_2 < 1", "ptm", "xi_2", "0", case.domain(xi_tip=COSINES))]
+
+
+__all__ = ["HALF_PERIODS", "UoCase", "uo_cases"]
