@@ -1,0 +1,322 @@
+"""The reader of printed formulas: what it reads, what it refuses, and that nothing is dropped on the way."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from sympy import Function, Symbol, cos
+
+from derive.paper import tree as t
+from derive.paper.conventions import canonical, scope, scope_of
+from derive.paper.displays import read_displays, read_source
+from derive.paper.errors import ReadError
+from derive.paper.ledger import compare, from_source, load_ledger
+from derive.paper.printer import to_latex
+from derive.paper.reader import parse
+from derive.paper.symbolic import Dot, Rate, to_sympy
+from derive.paper.tokens import MAX_DEPTH, PUNCTUATION, tokenise
+
+LEDGER = load_ledger()
+xi, s, ell, a = t.Name("xi"), t.Name("s"), t.Name("ell"), t.Name("a")
+beta, gamma, eta = t.Name("beta"), t.Name("gamma"), t.Name("eta")
+
+
+def article() -> Path | None:
+    """The article's source, if it is at hand."""
+    named = os.environ.get("DERIVE_PAPER")
+    beside = Path(__file__).resolve().parents[2] / "shared" / "paper"
+    return Path(named) if named else next(iter(sorted(beside.glob("*.txt"))), None)
+
+
+def one(latex: str, where: str = "parallel") -> t.Statement:
+    (statement,) = parse(latex, where)
+    return statement
+
+
+def value(latex: str, where: str = "parallel") -> t.Node:
+    return one(f"{latex} = 0", where).sides[0]
+
+
+# What is read.
+
+
+@pytest.mark.parametrize("record", LEDGER.values(), ids=LEDGER.keys())
+def test_every_record_is_read_and_printed_back(record):
+    for statement in parse(record.latex, record.scope):
+        assert parse(to_latex(statement, record.scope), record.scope) == [statement]
+    for hypothesis in record.given:
+        assert len(parse(hypothesis, record.scope)) == 1
+
+
+@pytest.mark.parametrize(
+    ("latex", "tree"),
+    [
+        (r"\xi(\ell)", t.Call("xi", (ell,))),
+        (r"\xi^2 (\ell)", t.Power(t.Call("xi", (ell,)), t.Number(2))),
+        (r"\xi(\ell)^2", t.Power(t.Call("xi", (ell,)), t.Number(2))),
+        (r"\xi (1 - \xi)", t.Product((xi, t.Sum((t.Number(1), t.Signed("-", xi)))))),
+        (r"\beta (s)", t.Product((beta, s))),
+        (r"f^{\prime\prime} (a)", t.Call("f", (a,), 2)),
+        (r"f''(a)", t.Call("f", (a,), 2)),
+        (r"\hat{f} (\xi) \big( 1 \big)", t.Product((t.Call("f_hat", (xi,)), t.Number(1)))),
+        (r"\wp u", t.Call("wp", (t.Name("u"),))),
+        (r"\wp (u; g_2, g_3)", t.Call("wp", (t.Name("u"), t.Name("g_2"), t.Name("g_3")))),
+        (r"2 \wp v", t.Product((t.Number(2), t.Call("wp", (t.Name("v"),))))),
+        (r"\frac{d \xi}{ds}", t.Derivative(xi, s)),
+        (r"\gamma/(2\beta)", t.Quotient(gamma, t.Product((t.Number(2), beta)))),
+        (r"\frac\beta2", t.Quotient(beta, t.Number(2))),
+        (r"u_{\mathrm{o}} + s", t.Sum((t.Name("u_o"), s))),
+        (r"(y^\prime)^2", t.Power(t.Primed(t.Name("y"), 1), t.Number(2))),
+    ],
+)
+def test_trees(latex, tree):
+    assert value(latex) == tree
+
+
+def test_cross_binds_before_dot_and_scalars_stay_outside():
+    d3, e_x = t.Name("d_3", "vector"), t.Name("e_x", "vector")
+    tree = value(r"k \boldsymbol{d}_3 \times \boldsymbol{d}_3^{\, \prime} \cdot \boldsymbol{e}_x", "plane")
+    assert tree == t.Product((t.Name("k"), t.Dot(t.Cross(d3, t.Primed(d3, 1)), e_x)))
+
+
+def test_statements_relations_and_arrows():
+    first, second = parse(r"\xi_b \to \xi_b = 1 + \frac{2 \beta}{\eta} \,, \qquad b \to 2 \beta > 0 \,.", "orthogonal")
+    assert first.operators == ("->", "=")
+    assert first.sides[0] == first.sides[1] == t.Name("xi_b")
+    assert second.operators == ("->", ">")
+
+
+def test_letters_change_their_meaning_by_section():
+    assert scope_of("exsl9a") == "plane"
+    assert scope_of("exhpf13bis") == "orthogonal"
+    assert scope_of("kth16") is None
+    assert canonical(r"\boldsymbol d_3") == canonical(r"\boldsymbol{d}_{3}")
+    assert scope("orthogonal").by_spelling[r"\bar{\gamma}"].name == "gamma_bar"
+    with pytest.raises(ReadError, match=r"'\\overline\{\\gamma\}' is not declared in scope 'parallel'"):
+        parse(r"\overline{\gamma} = 0", "parallel")
+
+
+def test_sympy_values_are_in_the_printed_symbols():
+    real = Symbol("xi", real=True)
+    assert to_sympy(value(r"f(\xi) - \cos\xi"), "parallel") == Function("f")(real) - cos(real)
+    squared = to_sympy(value(r"(\boldsymbol{d}_3 \cdot \boldsymbol{e})^2"), "parallel")
+    assert squared == Dot(Symbol("d_3"), Symbol("e")) ** 2
+    assert to_sympy(value(r"y^{\prime\prime}"), "parallel") == Rate(Symbol("y", real=True), 2)
+    assert to_sympy(value(r"\wp u"), "parallel") == Function("wp")(Symbol("u"))
+
+
+# What is refused, and where.
+
+
+@pytest.mark.parametrize(
+    ("latex", "column", "message"),
+    [
+        (r"\gamma = \foo", 10, "not declared"),
+        (r"\gamma + = 1", 10, "a relation cannot stand here"),
+        (r"\gamma", 1, "needs a relation"),
+        (r"\gamma = (1 + \beta", 10, "never closed"),
+        (r"\gamma = 1)", 11, "closes nothing"),
+        (r"\gamma = \left( 1 )", 19, "do not belong together"),
+        (r"\gamma = \boldsymbol{e}", 10, "check the types"),
+        (r"\gamma = \xi (\beta - s)", 14, "argument of"),
+        (r"\gamma = \xi (2)", 14, "argument of"),
+        (r"\gamma = f", 11, "needs an argument"),
+        (r"\gamma = f(a, s)", 11, "takes 1 arguments, not 2"),
+        (r"\gamma = \wp u v", 16, "where does the argument"),
+        (r"\gamma = 1/2 \beta", 14, "where does the denominator"),
+        (r"\gamma = \beta^\prime", 10, "is a constant"),
+        (r"\gamma = \xi^12", 14, "first digit"),
+        (r"\gamma = \beta \cdot \eta", 10, "no vector"),
+        (r"\boldsymbol{e} = \boldsymbol{e} \times \boldsymbol{e}_x \times \boldsymbol{e}_y", 57, "two"),
+        (r"\gamma = 1 ,, \gamma = 2", 13, "follows no statement"),
+        (r"\gamma = \frac{d \xi}{\beta}", 22, "d stands above"),
+        (r"\gamma = 1 # 2", 12, "unexpected character"),
+        (r"\gamma = \int 1", 10, "not declared"),
+        (r"\gamma = " + r"\hat" * 3000 + "f", 26, "accents"),
+        (r"\gamma = " + "9" * 5000, 10, "5000 digits"),
+        (r"\begin{split} \gamma = 1", 25, "never ended"),
+        (r"\gamma = 1 \end{split}", 12, "ends nothing"),
+        ("", 1, "no formula"),
+        ("\x00\x01", 1, "unexpected character"),
+        (r"\gamma = " + "(" * (MAX_DEPTH + 1), 10 + MAX_DEPTH, "nest deeper"),
+        (r"\gamma = 1" + " + 1" * 10_000, 1, "the limit is"),
+    ],
+)
+def test_unread_text_is_an_error_with_its_place(latex, column, message):
+    with pytest.raises(ReadError, match=message) as caught:
+        parse(latex, "parallel")
+    assert (caught.value.line, caught.value.column) == (1, column)
+
+
+def test_places_count_from_the_source():
+    with pytest.raises(ReadError, match="not declared") as caught:
+        parse("\n\\gamma =\n  \\foo", "parallel", start=(40, 17))
+    assert (caught.value.line, caught.value.column) == (42, 3)
+    assert caught.value.snippet.splitlines()[-1].index("^") == caught.value.snippet.splitlines()[0].index("\\foo")
+
+
+def test_deepest_nesting_is_read():
+    nested = "(" * MAX_DEPTH + r"\beta" + ")" * MAX_DEPTH
+    assert value(nested) == beta
+    fractions = r"\frac{1}{" * MAX_DEPTH + "2" + "}" * MAX_DEPTH
+    assert parse(to_latex(one(f"{fractions} = 0"), "parallel"), "parallel")
+
+
+@pytest.mark.parametrize(
+    ("source", "message"),
+    [
+        ("", "no 'equation' environment"),
+        ("\x00", "control character"),
+        (r"\begin{equation}\label{x} a = b", "never closed"),
+        (r"\begin{equation} a = b \end{equation}", "needs one"),
+        (r"\begin{equation}\label{x} a \end{equation} \begin{equation}\label{x} b \end{equation}", "already used"),
+        (r"\end{equation}", "do not pair"),
+    ],
+)
+def test_sources_that_cannot_be_split(source, message):
+    with pytest.raises(ReadError, match=message):
+        read_displays(source)
+
+
+def test_binary_files_are_refused(tmp_path):
+    path = tmp_path / "paper.tex"
+    path.write_bytes(b"first\n\xff\xfe\x00")
+    with pytest.raises(ReadError, match="no UTF-8 text") as caught:
+        read_source(path)
+    assert (caught.value.line, caught.value.column) == (2, 1)
+
+
+def test_comments_hide_displays():
+    text = "% \\begin{equation}\n\\begin{equation}\\label{x} a = b % \\label{y}\n\\end{equation}"
+    (display,) = read_displays(text)
+    assert (display.label, display.line) == ("x", 2)
+
+
+# Nothing is dropped.
+
+
+@pytest.mark.parametrize("record", LEDGER.values(), ids=LEDGER.keys())
+def test_every_token_matters(record):
+    """Leaving out any token, but the closing punctuation, gives another reading or an error."""
+    read = parse(record.latex, record.scope)
+    tokens = tokenise(record.latex)
+    while tokens[-1].type in PUNCTUATION:
+        tokens.pop()
+    for token in tokens:
+        without = record.latex[: token.start_pos] + " " + record.latex[token.end_pos :]
+        try:
+            assert parse(without, record.scope) != read, token
+        except ReadError:
+            continue
+
+
+@pytest.mark.parametrize("record", LEDGER.values(), ids=LEDGER.keys())
+def test_every_symbol_lies_in_one_leaf(record):
+    leaves, heads = [], []
+    for statement in parse(record.latex, record.scope):
+        for side in statement.sides:
+            assert side.span[0] >= statement.span[0]
+            assert side.span[1] <= statement.span[1]
+            leaves += [node.span for node in side.walk() if isinstance(node, t.Name | t.Number)]
+            heads += [node.span for node in side.walk() if isinstance(node, t.Call | t.Derivative)]
+    for token in tokenise(record.latex):
+        if token.type in ("NUMBER", "LETTER", "COMMAND"):
+            inside = sum(start <= token.start_pos < stop for start, stop in leaves)
+            assert inside == 1 or (inside == 0 and any(a <= token.start_pos < b for a, b in heads))
+
+
+# Printing and reading are inverse.
+
+SCALARS = [t.Name(n) for n in ("beta", "gamma", "eta", "xi", "xi_a", "y", "kappa_x", "a", "g_2", "s", "u_o")]
+VECTORS = [t.Name(n, "vector") for n in ("d_3", "e", "e_x")]
+ARCS = st.sampled_from([s, ell, t.Name("u"), t.Sum((t.Name("u_o"), s)), t.Number(0)])
+
+
+def _product(factors: list[t.Node]) -> t.Node:
+    kept: list[t.Node] = []
+    for factor in factors:
+        twice = kept and isinstance(kept[-1], t.Number) and isinstance(factor, t.Number)
+        if not twice and not (factor.type == "vector" and any(other.type == "vector" for other in kept)):
+            kept.append(factor)
+    return kept[0] if len(kept) == 1 else t.Product(tuple(kept))
+
+
+def _sum(terms: list[t.Node]) -> t.Node:
+    first, *others = terms
+    plain = [term.of if isinstance(term, t.Signed) and term.sign == "+" else term for term in others]
+    return t.Sum((first, *plain))
+
+
+def _scalar(inner: st.SearchStrategy[t.Node]) -> st.SearchStrategy[t.Node]:
+    signed = st.builds(t.Signed, st.sampled_from(["-", "+", r"\pm", r"\mp"]), inner)
+    calls = st.builds(
+        t.Call, st.sampled_from(["f", "f_hat", "cos"]), st.tuples(inner), st.integers(min_value=0, max_value=3)
+    )
+    vectors = st.sampled_from([*VECTORS, *(t.Primed(vector, 1) for vector in VECTORS[:1]), t.Cross(*VECTORS[:2])])
+    scaled = st.one_of(vectors, st.builds(lambda k, v: t.Product((k, v)), inner, vectors))
+    return st.one_of(
+        signed,
+        calls,
+        st.lists(st.one_of(inner, signed), min_size=2, max_size=4).map(_sum),
+        st.lists(inner, min_size=2, max_size=4).map(_product),
+        st.builds(t.Quotient, inner, inner),
+        st.builds(t.Power, inner.filter(lambda node: not isinstance(node, t.Number)), inner),
+        st.builds(t.Power, vectors, st.just(t.Number(2))),
+        st.builds(t.Root, inner, st.integers(min_value=2, max_value=5)),
+        st.builds(t.Dot, scaled, scaled),
+        st.builds(t.Call, st.just("xi"), st.tuples(ARCS)),
+        st.builds(t.Primed, inner.filter(lambda node: isinstance(node, t.Sum | t.Product | t.Quotient)), st.just(1)),
+        st.builds(t.Derivative, st.sampled_from(SCALARS), st.sampled_from(SCALARS)),
+    )
+
+
+TREES = st.recursive(
+    st.one_of(st.sampled_from(SCALARS), st.integers(min_value=0, max_value=999).map(t.Number)), _scalar, max_leaves=12
+)
+
+
+@settings(max_examples=300, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@given(TREES)
+def test_reading_what_is_printed_gives_the_tree(tree):
+    assert value(to_latex(tree, "parallel")) == tree
+
+
+@settings(max_examples=300, deadline=None)
+@given(st.text(alphabet="\\{}()[]^_'&%,;.=<>+-/ \n0123456789abdfksuvxyz", max_size=60))
+def test_noise_is_read_or_refused(text):
+    try:
+        parse(text, "parallel")
+    except ReadError as error:
+        found = error
+    else:
+        return
+    assert found.line >= 1
+    assert found.column >= 1
+
+
+# The ledger against the article.
+
+
+def test_ledger_and_its_own_print_agree():
+    source = "\n".join(
+        f"\\begin{{equation}} \\label{{{r.id}}} \\nonumber\n{r.latex}\n\\end{{equation}}" for r in LEDGER.values()
+    )
+    assert compare(LEDGER, source) == []
+    changed = source.replace(r"\frac{f^\prime(a)}{4}", r"\frac{f^\prime(a)}{2}")
+    assert [(d.id, d.kind) for d in compare(LEDGER, changed)] == [("exsl17", "differs")]
+    assert from_source(source, ["exsl18"])["exsl18"].given == ("a = 1",)
+
+
+def test_ledger_says_what_the_article_prints():
+    path = article()
+    if path is None:
+        pytest.skip("the article's source is not here; set DERIVE_PAPER")
+    text = read_source(path)
+    differences = [d for d in compare(LEDGER, text) if d.kind != "absent from the ledger"]
+    assert differences == []
+    lines = {display.label: display.line for display in read_displays(text)}
+    assert {record.id: record.line for record in LEDGER.values()} == {label: lines[label] for label in LEDGER}
