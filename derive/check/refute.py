@@ -1,0 +1,124 @@
+"""Refutation: exact random points in the domain at which a claim fails, seen at 50 digits and again at 100.
+
+A point where a side is undefined says nothing. A difference counts if it is larger than 10⁻³⁰ of the terms that make
+the two sides up, and if doubling the digits leaves it as it is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+from mpmath import mp
+
+from derive.check.evaluate import UndefinedError, evaluate, magnitude
+from derive.check.sample import ExactPoint, Sampler
+from derive.theory.claims import Claim, Equal, Positive
+
+DIGITS = 50
+POINTS = 6
+SIGN_POINTS = 40  # an inequality may fail in a small part of its domain
+ZEROS = 4  # points tried for each symbol to meet a zero
+MORE_POINTS = 60  # where no proof was found
+TRIES = 18  # points drawn, at most, to have POINTS where both sides are defined
+TOLERANCE = mp.mpf(10) ** -30
+SAME = mp.mpf(10) ** -3  # relative change of the difference on doubling the digits
+
+
+@dataclass(frozen=True)
+class Trial:
+    """The outcome: a counterexample or None, how many points were evaluated, and why others were not."""
+
+    counterexample: dict[str, str] | None
+    points: int
+    reason: str = ""
+
+
+def pairs(relation: Equal) -> Iterator[tuple[sp.Expr, sp.Expr]]:
+    """The two sides of an equality, entry by entry."""
+    if isinstance(relation.lhs, sp.MatrixBase) or isinstance(relation.rhs, sp.MatrixBase):
+        left, right = sp.Matrix(relation.lhs), sp.Matrix(relation.rhs)
+        if left.shape != right.shape:
+            raise ValueError(f"matrices of shapes {left.shape} and {right.shape} are compared")
+        yield from zip(left, right, strict=True)
+    else:
+        yield sp.sympify(relation.lhs, strict=True), sp.sympify(relation.rhs, strict=True)
+
+
+def shown(point: ExactPoint, lhs: Any, rhs: Any) -> dict[str, str]:
+    """A counterexample as text."""
+    with mp.workdps(DIGITS):
+        values = {str(symbol): _text(value, point) for symbol, value in point.items()}
+        return {**values, "lhs": mp.nstr(lhs, 20), "rhs": mp.nstr(rhs, 20)}
+
+
+def _text(value: sp.Expr, point: ExactPoint) -> str:
+    return str(value) if value.is_number else mp.nstr(evaluate(value, point), 20)
+
+
+def differ(lhs: sp.Expr, rhs: sp.Expr, point: ExactPoint, digits: int = DIGITS) -> tuple[Any, Any] | None:
+    """Both values where the sides differ at the point, None where they agree; raises UndefinedError."""
+    left, right = evaluate(lhs, point, digits), evaluate(rhs, point, digits)
+    with mp.workdps(digits):
+        gap = left - right
+        scale = magnitude(lhs, point, digits) + magnitude(rhs, point, digits)
+        if abs(gap) <= TOLERANCE * scale:
+            return None
+    with mp.workdps(2 * digits):
+        again = evaluate(lhs, point, 2 * digits) - evaluate(rhs, point, 2 * digits)
+        return (left, right) if abs(again - gap) <= SAME * abs(again) else None
+
+
+def _equal_at(entries: list[tuple[sp.Expr, sp.Expr]], point: ExactPoint) -> dict[str, str] | None:
+    for lhs, rhs in entries:
+        found = differ(lhs, rhs, point)
+        if found:
+            return shown(point, *found)
+    return None
+
+
+def _positive_at(expr: sp.Expr, point: ExactPoint) -> dict[str, str] | None:
+    value = evaluate(expr, point, DIGITS)
+    if mp.im(value) != 0:
+        return shown(point, value, mp.mpf(0)) if mp.im(evaluate(expr, point, 2 * DIGITS)) != 0 else None
+    if value > TOLERANCE * magnitude(expr, point, DIGITS):
+        return None
+    again = evaluate(expr, point, 2 * DIGITS)
+    with mp.workdps(2 * DIGITS):
+        return shown(point, value, mp.mpf(0)) if again <= 0 else None
+
+
+def refute(claim: Claim, points: int | None = None, seed: int = 1) -> Trial:
+    """Look for a counterexample to an Equal or Positive claim (its hypotheses already substituted in the relation)."""
+    relation = claim.relation
+    if isinstance(relation, Equal):
+        entries = [pair for pair in pairs(relation) if pair[0] != pair[1]]
+        expressions = [side for pair in entries for side in pair]
+    elif isinstance(relation, Positive):
+        entries, expressions = [], [relation.expr]
+        points = points or SIGN_POINTS
+    else:
+        raise TypeError(f"no pointwise test for {type(relation).__name__}")
+    points = points or POINTS
+    sampler = Sampler(expressions, claim.domain, claim.given, seed)
+    done, drawn, reason = 0, 0, "the domain seems empty"
+    for point in sampler.points(max(TRIES, 3 * points)):
+        drawn += 1
+        try:
+            found = _positive_at(relation.expr, point) if isinstance(relation, Positive) else _equal_at(entries, point)
+        except UndefinedError as error:
+            reason = str(error)
+            continue
+        done += 1
+        if found:
+            return Trial(found, done)
+        if done == points:
+            break
+    if isinstance(relation, Positive) and done:
+        for point in sampler.zeros([relation.expr], ZEROS):
+            found = _positive_at(relation.expr, point)
+            if found:
+                return Trial(found, done)
+    return Trial(None, done, "" if done else f"no point can be evaluated: {reason}")

@@ -1,0 +1,168 @@
+"""The printed formulas against the derivation: verdicts, how they are reached, and that wrong variants fail."""
+
+from __future__ import annotations
+
+import json
+import random
+from dataclasses import replace
+from types import SimpleNamespace
+
+import pytest
+
+from derive.check.misprints import judge_mutant, mutants, same_meaning
+from derive.check.printed import judge_formula, judge_formulas
+from derive.check.report import worst
+from derive.check.verdicts import AGREED, DEFINITION, PROVED, REFUTED, UNKNOWN, UNREAD
+from derive.paper import tree as t
+from derive.paper.ledger import Record, load_ledger
+from derive.paper.reader import parse
+from derive.theory import equilibrium, plane, quartic, weierstrass
+from derive.theory.claims import Notebook
+
+LEDGER = load_ledger()
+SAMPLE = 3  # mutants of each formula that are judged by default
+
+
+@pytest.fixture(scope="session")
+def theory():
+    """The derivation up to the elliptic functions: all that these formulas need."""
+    book = Notebook()
+    problem = plane.derive(equilibrium.derive_section2(energy=None, book=book), book)
+    cases = quartic.derive(problem, book)
+    return SimpleNamespace(plane=problem, cases=cases, weierstrass=weierstrass.derive(cases, book), book=book)
+
+
+@pytest.fixture(scope="session")
+def verdicts(theory):
+    return {verdict.id: verdict for verdict in judge_formulas(theory, LEDGER)}
+
+
+def printed(theory, label: str, old: str, new: str):
+    """The verdict on a record with one piece of its LaTeX changed."""
+    record = LEDGER[label]
+    assert old in record.latex
+    return judge_formula(theory, replace(record, latex=record.latex.replace(old, new)))
+
+
+@pytest.mark.parametrize("label", sorted(set(LEDGER) - {"slch5"}))
+def test_what_the_article_prints_holds(verdicts, label):
+    verdict = verdicts[label]
+    assert verdict.verdict in (PROVED, DEFINITION), verdict.reason
+    assert verdict.counterexample is None
+
+
+def test_names_are_introduced_once(verdicts):
+    defined = {label for label, verdict in verdicts.items() if any(s.verdict == DEFINITION for s in verdict.statements)}
+    assert defined == {"exsl12a", "exsl17", "slch9"}
+
+
+def test_curvature_at_every_point_is_not_the_one_with_the_tip(theory, verdicts):
+    """κ_x² = γ − 2βξ(s), not γ − 2βξ(ℓ), which vanishes at the free end."""
+    verdict = verdicts["slch5"]
+    assert verdict.verdict == REFUTED
+    assert {"beta", "theta", "xi_tip", "lhs", "rhs"} <= set(verdict.counterexample)
+    assert float(verdict.counterexample["rhs"]) == 0 != float(verdict.counterexample["lhs"])
+    assert printed(theory, "slch5", r"\xi(\ell)", r"\xi(s)").verdict == PROVED
+
+
+def test_right_of_an_arrow_values_are_taken_at_the_limit(theory, verdicts):
+    verdict = verdicts["exhpf10"]
+    assert "right of the arrow" in verdict.reason
+    middle = verdict.statements[1]
+    assert [relation.relation[:4] for relation in middle.relations] == ["1: -", "2: ="]
+    # The same equality by itself, without the arrow, is an identity in γ̄: and it is wrong.
+    assert printed(theory, "exhpf10", r"\xi_b \to \xi_b =", r"\xi_b =").verdict == REFUTED
+    assert printed(theory, "exhpf10", r"1 + \frac{2 \beta}", r"1 + \frac{\beta}").verdict == REFUTED
+
+
+@pytest.mark.parametrize(
+    ("label", "old", "new"),
+    [
+        ("exsl13", r"2 \beta \xi^3", r"2 \beta \xi^2"),
+        ("exsl18", r"\frac{\eta - \gamma}{2}", r"\frac{\eta - \gamma}{3}"),
+        ("exsl21", r"g_3 = -", r"g_3 ="),
+        ("exsl24", r"\gamma >", r"\gamma <"),
+        ("exsl26", "> 0", "< 0"),
+        ("exsl27", r"\xi_b \to 1", r"\xi_b \to -1"),
+        ("exsl9", r"\pm k", "k"),
+        ("exhpf2", r"(\overline{\gamma} + \eta)", r"(\gamma + \eta)"),
+        ("exsl12", r"\xi^\prime", r"\xi"),
+    ],
+)
+def test_wrong_prints_are_refuted(theory, label, old, new):
+    verdict = printed(theory, label, old, new)
+    assert verdict.verdict == REFUTED
+    assert verdict.counterexample
+
+
+def test_what_cannot_be_read_or_judged_says_why(theory):
+    unread = judge_formula(theory, Record("exsl18", "b = \n  \\foo", "parallel", (), "", 600, 20))
+    assert unread.verdict == UNREAD
+    assert "line 601, column 3" in unread.reason
+    nowhere = judge_formula(theory, Record("new1", "a = a", None, (), "", 7))
+    assert nowhere.verdict == UNREAD
+    tower = "(" * 9 + "9" + ")^{99}" * 9
+    for latex in (
+        rf"{tower} = 1",
+        r"\beta^{9^{9^{9}}} = 1",
+        r"\xi_a = \frac{1}{0}",
+        r"\xi_a \to 1",
+        r"\vartheta \le 1",
+        r"k(\ell) = 0",
+    ):
+        verdict = judge_formula(theory, Record("exsl18", latex, "parallel"))
+        assert verdict.verdict == UNKNOWN
+        assert verdict.reason
+    wrong = judge_formula(theory, replace(LEDGER["exsl13"], given=(r"\boldsymbol{e} = \boldsymbol{e}_z",)))
+    assert wrong.verdict == UNKNOWN
+    assert "does not hold" in wrong.reason
+
+
+def test_the_worst_part_decides_and_json_is_plain(verdicts):
+    assert worst([PROVED, AGREED, DEFINITION]) == AGREED
+    assert worst([PROVED, REFUTED, UNREAD]) == REFUTED
+    record = json.loads(json.dumps(verdicts["exsl18"].to_json()))
+    keys = ["id", "line", "verdict", "printed", "method", "counterexample", "repair", "reason", "seconds", "statements"]
+    assert list(record) == keys
+    assert [statement["verdict"] for statement in record["statements"]] == ["PROVED", "PROVED"]
+    assert record["statements"][0]["printed"] == r"b = \beta + \frac{\eta - \gamma}{2}"
+
+
+# Wrong variants.
+
+
+def check(theory, record, mutant):
+    """A mutant passes only if it says what the original says."""
+    verdict = judge_mutant(theory, record, mutant)
+    if verdict.verdict in (PROVED, DEFINITION):
+        assert same_meaning(theory, record, mutant), f"{mutant.change}: {mutant.latex}"
+    return verdict.verdict
+
+
+@pytest.mark.parametrize("label", sorted(set(LEDGER) - {"slch5"}))
+def test_mutants_fail(theory, label):
+    made = mutants(LEDGER[label])
+    assert made
+    for mutant in random.Random(label).sample(made, min(SAMPLE, len(made))):
+        check(theory, LEDGER[label], mutant)
+
+
+@pytest.mark.long
+def test_all_mutants_fail(theory):
+    found = [check(theory, record, m) for label, record in LEDGER.items() if label != "slch5" for m in mutants(record)]
+    assert found.count(REFUTED) > 0.97 * len(found)
+
+
+def test_mutants_are_printed_as_they_are_judged():
+    for record in LEDGER.values():
+        for mutant in mutants(record):
+            assert parse(mutant.latex, record.scope) == [mutant.statement]
+
+
+def test_mutants_cover_the_kinds_of_mistakes():
+    made = [mutant for record in LEDGER.values() for mutant in mutants(record)]
+    assert {m.change for m in made} == {
+        "sign", "symbol", "term", "factor", "number", "power", "prime", "relation", "root",
+    }  # fmt: skip
+    names = {node.name for m in made for side in m.statement.sides for node in side.walk() if isinstance(node, t.Name)}
+    assert {"gamma", "gamma_bar"} <= names
