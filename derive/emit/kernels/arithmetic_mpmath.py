@@ -1,0 +1,53 @@
+"""The scalar arithmetic of the mpmath twin: the names of ``arithmetic``, at the working precision."""
+
+from __future__ import annotations
+
+from mpmath import acos, asin, atan2, cos, eps, exp, inf, isfinite, log, mpf, pi, sin, sqrt
+from mpmath import ceil as mpf_ceil
+from mpmath import floor as mpf_floor
+
+__all__ = [
+    "acos",
+    "asin",
+    "atan2",
+    "ceil",
+    "cos",
+    "epsilon",
+    "exp",
+    "floor",
+    "inf",
+    "isfinite",
+    "log",
+    "pi",
+    "real",
+    "sin",
+    "sqrt",
+]
+
+
+def epsilon():
+    """The spacing of numbers just above 1."""
+    return +eps
+
+
+def ceil(x):
+    """The least integer that is not below x."""
+    return int(mpf_ceil(x))
+
+
+def floor(x):
+    """The greatest integer that is not above x."""
+    return int(mpf_floor(x))
+
+
+def real(name, value):
+    """A finite real number as an mpf, from a number or its decimal text; TypeError or ValueError names the argument."""
+    if isinstance(value, (bool, bytes, complex)):
+        raise TypeError(f"{name} must be a real number, got {value!r}")
+    try:
+        number = mpf(value)
+    except (TypeError, ValueError) as error:
+        raise TypeError(f"{name} must be a real number, got {value!r}") from error
+    if not isfinite(number):
+        raise ValueError(f"{name} must be finite, got {value!r}")
+    return number

@@ -1,0 +1,45 @@
+"""Elementwise arithmetic of the mpmath twin, where an element is all there is: the names of ``array_arithmetic``."""
+
+from __future__ import annotations
+
+from mpmath import asinh as each_asinh
+from mpmath import atan as each_atan
+from mpmath import atan2 as each_atan2
+from mpmath import cos as each_cos
+from mpmath import floor as each_floor
+from mpmath import sin as each_sin
+from mpmath import sqrt as each_sqrt
+
+__all__ = [
+    "each_abs",
+    "each_asinh",
+    "each_atan",
+    "each_atan2",
+    "each_cos",
+    "each_floor",
+    "each_max",
+    "each_sin",
+    "each_sqrt",
+    "each_where",
+    "largest",
+]
+
+
+def each_abs(x):
+    """The absolute value."""
+    return abs(x)
+
+
+def each_max(x, y):
+    """The larger one."""
+    return max(x, y)
+
+
+def each_where(condition, yes, no):
+    """``yes`` where the condition holds, else ``no``."""
+    return yes if condition else no
+
+
+def largest(x):
+    """The largest element: the element."""
+    return x
