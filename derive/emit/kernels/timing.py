@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from derive.emit.kernels.agm import agm, half_period
-from derive.emit.kernels.arithmetic import inf, sqrt
+from derive.emit.kernels.arithmetic import epsilon, sqrt
 from derive.emit.kernels.formulas import (
     arc_length,
     gap_minus_plus,
@@ -48,16 +48,19 @@ def roots_of(beta, eta, tip):
     plus, minus = 2 * tip.half_cosine**2, 2 * tip.half_sine**2
     drive = tip.drive
     if eta <= beta or tip.passes:
-        return Roots("-o+", gap_minus_plus(drive), -gap_other_minus(minus, tip.gap))
+        return apart("-o+", gap_minus_plus(drive), -gap_other_minus(minus, tip.gap))
     if drive > 0:
-        return Roots("o-+", gap_other_plus(beta, eta, plus), gap_other_minus(minus, tip.gap))
-    return Roots("o+-", gap_other_minus(minus, tip.gap), gap_other_plus(beta, eta, plus))
+        return apart("o-+", gap_other_plus(beta, eta, plus), gap_other_minus(minus, tip.gap))
+    return apart("o+-", gap_other_minus(minus, tip.gap), gap_other_plus(beta, eta, plus))
+
+
+def apart(order, long_gap, short_gap):
+    """The roots with e₁ > e₂: where they meet, on a separatrix, a gap far below rounding stands for none."""
+    return Roots(order, long_gap, max(short_gap, long_gap * epsilon() ** 18))
 
 
 def half_period_of(roots):
-    """Real half-period of ℘; infinite where e₁ = e₂, on a separatrix."""
-    if roots.short_gap <= 0 or roots.long_gap <= 0:
-        return inf
+    """Real half-period of ℘."""
     return half_period(agm(sqrt(roots.long_gap), sqrt(roots.short_gap)))
 
 

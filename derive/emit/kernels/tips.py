@@ -65,7 +65,8 @@ def clamp_of(beta, eta, clamp_angle):
     """Whole turns and the clamp within [0, 2π); an angle that rounds to a multiple of π is that multiple."""
     half_turns = floor(clamp_angle / pi + 0.5)
     rest = half_turns * pi - clamp_angle
-    if abs(rest) <= epsilon() * abs(clamp_angle):
+    # Also an angle whose square would be lost: it bends the rod by less than any number here can tell.
+    if abs(rest) <= max(epsilon() * abs(clamp_angle), epsilon() ** 3):
         rest = 0
     if half_turns % 2:
         return (half_turns - 1) / 2, clamp_at(beta, eta, pi - rest, rest, abs(rest), True)
@@ -112,7 +113,9 @@ def pieces(beta, eta, clamp):
 def double_well(beta, eta, clamp):
     """The ranges when V has two wells and the clamp lies in one of them: over the ridge at π, and within the well."""
     level = 2 * atan2(sqrt(beta), sqrt(eta - beta))
-    outer = [Piece(0, level, 2 * atan2(sqrt(eta - beta), sqrt(beta)), "top", "level", True)] if beta > 0 else []
+    # A force far below rounding parts off tips from which only a rod of length 150/√η or more comes back.
+    passing = Piece(0, level, 2 * atan2(sqrt(eta - beta), sqrt(beta)), "top", "level", True)
+    outer = [passing] if beta > epsilon() ** 9 * eta else []
     if clamp.rest == 0:
         return outer
     turn = 2 * atan2(sqrt(2 * beta + eta * clamp.one_plus), sqrt(clamp.gap))

@@ -1,0 +1,244 @@
+"""The kernels by themselves: elliptic integrals and functions against mpmath, and the solver against brute force."""
+
+from __future__ import annotations
+
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from derive.emit.kernels.agm import agm, half_period, root_ratios
+from derive.emit.kernels.api import equilibria, shape, sweep
+from derive.emit.kernels.carlson import rf
+from derive.emit.kernels.carlson_each import rc, rd, rj
+from derive.emit.kernels.search import bracketed_root
+from derive.measure.reference import Rod, solve
+from derive.measure.scan import brute_force
+
+ULP = 2.0**-52
+sizes = st.floats(-6, 6).map(lambda exponent: 10.0**exponent)
+angles = st.floats(-6.5, 6.5)
+
+
+def relative(value, exact):
+    return float(abs((mp.mpf(float(value)) - exact) / exact))
+
+
+@given(sizes | st.just(0.0), sizes, sizes, sizes)
+@settings(max_examples=150, deadline=None)
+def test_carlson_against_mpmath(x, y, z, p):
+    """All four to a few units in the last place, over twelve orders of magnitude."""
+    with mp.workdps(30):
+        assert relative(rf(x, y, z), mp.elliprf(x, y, z)) < 4 * ULP
+        assert relative(rc(np.float64(x), p), mp.elliprc(x, p)) < 4 * ULP
+        assert relative(rd(np.float64(x), y, z), mp.elliprd(x, y, z)) < 8 * ULP
+        assert relative(rj(np.float64(x), y, z, p), mp.elliprj(x, y, z, p)) < 8 * ULP
+
+
+def test_carlson_is_elementwise():
+    """An array gives what its elements give one by one."""
+    x = np.geomspace(1e-8, 1e4, 13)
+    together = rj(x, 1.0, 2.0, x[::-1])
+    apart = [float(rj(a, 1.0, 2.0, b)) for a, b in zip(x, x[::-1], strict=True)]
+    assert together == pytest.approx(apart, rel=4 * ULP)
+
+
+@given(st.floats(-14, 0), st.floats(0, 0.98))
+@settings(max_examples=150, deadline=None)
+def test_ratios_of_roots_are_jacobian_functions(exponent, part):
+    """sn, cn, dn to rounding times the condition number in u, up to moduli that differ from 1 by 1e-28."""
+    b = 10.0**exponent
+    steps = agm(1.0, b)
+    u = part * half_period(steps)
+    assume(u > 1e-8)
+    r, cn, dn = root_ratios(steps, np.float64(u))
+    with mp.workdps(60):
+        m = 1 - mp.mpf(b) ** 2
+        exact = [mp.ellipfun(name, u, m=m) for name in ("sn", "cn", "dn")]
+        growth = [1, 1 + abs(u * exact[0] * exact[2] / exact[1]), 1 + abs(u * m * exact[0] * exact[1] / exact[2])]
+        for value, wanted, by in zip((r, cn, dn), exact, growth, strict=True):
+            assert relative(value, wanted) < 8 * ULP * by
+
+
+@given(st.floats(-14, 0))
+def test_half_period_is_the_complete_integral(exponent):
+    b = 10.0**exponent
+    with mp.workdps(40):
+        assert relative(half_period(agm(1.0, b)), mp.elliprf(0, mp.mpf(b) ** 2, 1)) < 4 * ULP
+
+
+def test_bracketed_root_finds_a_sign_change_to_rounding():
+    for power in (1, 3, 9):
+        root = bracketed_root(lambda x, n=power: (x - 1 / 3) ** n, -1.0, 2.0, -1.0, 1.0)
+        assert abs(root - 1 / 3) < 1e-15
+
+
+@st.composite
+def rods(draw, stiffest=12.0):
+    """Moderate rods of every kind: field alone, force alone, both, short and long."""
+    length = draw(st.floats(0.1, 100.0))
+    stiffness = (draw(st.floats(0.05, stiffest)) / length) ** 2
+    share = draw(st.floats(0, 1) | st.sampled_from([0.0, 1.0, 0.5]))
+    return stiffness * share, stiffness * (1 - share), length, draw(angles)
+
+
+@given(rods())
+@settings(max_examples=120, deadline=None)
+def test_the_shape_satisfies_the_boundary_conditions(rod):
+    """θ(0) is the clamp angle, θ′(ℓ) = 0, the ends lie where the equilibrium says; the number of solutions is odd."""
+    beta, eta, length, clamp = rod
+    found = equilibria(*rod)
+    assert len(found) % 2 == 1
+    assert [one.tip_angle for one in found] == sorted(one.tip_angle for one in found)
+    for one in found:
+        ends = shape(one, [0.0, length])
+        assert ends.theta == pytest.approx([clamp, one.tip_angle], abs=1e-12)
+        assert ends.curvature[0] == pytest.approx(one.clamp_curvature, abs=1e-12 * math.sqrt(beta + eta))
+        assert abs(ends.curvature[1]) < 1e-12 / length
+        assert ends.y == pytest.approx([0, one.y], abs=1e-13 * length)
+        assert ends.z == pytest.approx([0, one.z], abs=1e-13 * length)
+
+
+@given(rods())
+@settings(max_examples=60, deadline=None)
+def test_the_first_integral_is_constant_and_the_rod_inextensible(rod):
+    """κ² + 2β cos θ + η cos²θ = γ along the rod, and the chord between near points is the arc."""
+    beta, eta, length, _ = rod
+    for one in equilibria(*rod):
+        s = np.linspace(0, length, 400)
+        bend = shape(one, s)
+        xi = np.cos(bend.theta)
+        drift = bend.curvature**2 + 2 * beta * xi + eta * xi**2 - one.gamma
+        assert np.max(np.abs(drift)) < 1e-12 * (beta + eta)
+        chords = np.hypot(np.diff(bend.y), np.diff(bend.z))
+        steps = np.diff(s)
+        bound = steps**3 * np.max(bend.curvature**2) / 12 + 1e-13 * length
+        assert np.all(np.abs(chords - steps) < bound)
+
+
+@given(rods(stiffest=6.0))
+@settings(max_examples=8, deadline=None)
+def test_no_equilibrium_is_missing(rod):
+    """As many as brute force finds, at the same tip angles."""
+    wanted = brute_force(Rod(*rod))
+    found = equilibria(*rod)
+    gaps = np.diff([one.tip_angle for one in found])
+    assume(len(gaps) == 0 or gaps.min() > 1e-3)  # at a fold brute force counts as it likes
+    assert [one.tip_angle for one in found] == pytest.approx(wanted, abs=1e-6)
+
+
+@pytest.mark.long
+@given(rods(stiffest=20.0))
+@settings(max_examples=150, deadline=None)
+def test_no_equilibrium_is_missing_in_many_rods(rod):
+    wanted = brute_force(Rod(*rod))
+    found = equilibria(*rod)
+    gaps = np.diff([one.tip_angle for one in found])
+    assume(len(gaps) == 0 or gaps.min() > 1e-4)
+    assert [one.tip_angle for one in found] == pytest.approx(wanted, abs=1e-6)
+
+
+HARD = {
+    "clamp at the side, one well": (1.3, 0.4, 4.0, math.pi),
+    "clamp at the side, two wells": (0.4, 1.3, 6.0, math.pi),
+    "clamp at the side, wells about to part": (1.0, 1.0, 6.0, math.pi),
+    "clamp near the side": (17.8, 37.2, 2.05, math.pi + 7e-9),
+    "clamp near the side from below": (7.38, 2.08, 2.41, math.pi - 1e-11),
+    "clamp at the bottom of a well": (0.0, 1.0, 13.7, math.pi / 2),
+    "clamp near the bottom of a well": (0.0, 1.0, 13.7, math.pi / 2 + 1e-10),
+    "clamp near the top": (1.0, 0.5, 5.0, 1e-9),
+    "clamp near the top from the other side": (1.0, 0.5, 5.0, -1e-9),
+    "clamp several turns on": (1.0, 0.5, 5.0, 3 * math.pi / 4 + 8 * math.pi),
+    "long rod under a field": (0.0, 1.0, 20.0, 3 * math.pi / 4),
+    "long rod under a force": (1.0, 0.0, 20.0, 2.0),
+    "short rod": (1.0, 1.0, 1e-6, 2.0),
+    "weak force beside a field": (1e-9, 1.0, 9.0, 2.2),
+    "weak field beside a force": (1.0, 1e-9, 9.0, 2.2),
+}
+
+
+@pytest.mark.parametrize("name", HARD)
+def test_hard_rods_close_on_the_clamp(name):
+    """Each solution of a hard rod starts at its clamp, in angle and in place."""
+    beta, eta, length, clamp = HARD[name]
+    found = equilibria(beta, eta, length, clamp)
+    assert len(found) % 2 == 1
+    for one in found:
+        ends = shape(one, np.array([0.0, length]))
+        assert ends.theta[0] == pytest.approx(clamp, abs=1e-11 * max(1, clamp))
+        assert ends.y[0] == pytest.approx(0, abs=1e-13 * length)
+        assert ends.z[0] == pytest.approx(0, abs=1e-13 * length)
+
+
+@pytest.mark.parametrize("count", [(5.0, 3), (10.0, 5), (20.0, 11)], ids=lambda pair: str(pair[0]))
+def test_the_number_of_solutions_grows_with_the_length(count):
+    """Known numbers for a field alone and a clamp at 3π/4."""
+    length, wanted = count
+    assert len(equilibria(0.0, 1.0, length, 3 * math.pi / 4)) == wanted
+
+
+def test_a_rod_without_loads_is_straight():
+    (only,) = equilibria(0.0, 0.0, 3.0, 0.7)
+    assert (only.tip_angle, only.index, only.energy) == (0.7, 0, 0.0)
+    bend = shape(only, 1.5)
+    assert (float(bend.theta), float(bend.curvature)) == (0.7, 0.0)
+    assert (bend.y, bend.z) == pytest.approx((1.5 * math.cos(0.7), 1.5 * math.sin(0.7)), rel=1e-15)
+
+
+def test_buckling_under_a_push_follows_the_critical_loads():
+    """Against the force (clamp π) the straight rod loses stability at ℓ√β = (k + ½)π, each time by two solutions."""
+    for k in range(4):
+        critical = (k + 0.5) * math.pi
+        below, above = (equilibria(1.0, 0.0, critical * scale, math.pi) for scale in (0.999, 1.001))
+        assert (len(below), len(above)) == (2 * k + 1, 2 * k + 3)
+        straight = [one for one in above if one.tip_angle == math.pi]
+        assert [one.index for one in straight] == [k + 1]
+
+
+def test_stability_against_the_reference():
+    """The index counts the conjugate points of an integrated variation."""
+    rod = Rod(0.3, 1.1, 9.0, 2.4)
+    for one in equilibria(rod.beta, rod.eta, rod.length, rod.clamp_angle):
+        assert one.index == solve(rod, one.tip_angle).index
+
+
+def test_sweep_is_the_flat_list_of_the_rods():
+    eta = np.linspace(0, 0.001, 7)
+    flat = sweep(0.00035, eta, 80.0, 3 * math.pi / 4)
+    rods = [equilibria(0.00035, float(value), 80.0, 3 * math.pi / 4) for value in eta]
+    assert flat.case.tolist() == [case for case, found in enumerate(rods) for _ in found]
+    for name in ("tip_angle", "clamp_curvature", "gamma", "y", "z", "energy", "index"):
+        assert getattr(flat, name).tolist() == [getattr(one, name) for found in rods for one in found]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "word"),
+    [
+        ((math.nan, 1, 1, 1), ValueError, "beta"),
+        ((-1.0, 1, 1, 1), ValueError, "beta"),
+        ((1, -1e-300, 1, 1), ValueError, "eta"),
+        ((1, math.inf, 1, 1), ValueError, "eta"),
+        ((1, 1, 0.0, 1), ValueError, "length"),
+        ((1, 1, -2, 1), ValueError, "length"),
+        ((1, 1, 1, 1j), TypeError, "clamp_angle"),
+        ((1, 1, 1, "2"), TypeError, "clamp_angle"),
+        (([1, 2], 1, 1, 1), TypeError, "beta"),
+    ],
+)
+def test_bad_arguments_are_named(arguments, error, word):
+    with pytest.raises(error, match=word):
+        equilibria(*arguments)
+
+
+def test_bad_sweeps_and_shapes_are_refused():
+    with pytest.raises(ValueError, match="broadcast"):
+        sweep([1.0, 2.0], [1.0, 2.0, 3.0], 1.0, 1.0)
+    with pytest.raises(ValueError, match="eta"):
+        sweep(1.0, [1.0, -2.0], 1.0, 1.0)
+    (one, *_) = equilibria(1.0, 1.0, 2.0, 1.0)
+    for place in (-0.1, 2.1, math.nan):
+        with pytest.raises(ValueError, match=r"\[0, 2.0\]"):
+            shape(one, place)
