@@ -149,6 +149,8 @@ HARD = {
     "clamp near the side from below": (7.38, 2.08, 2.41, math.pi - 1e-11),
     "clamp at the bottom of a well": (0.0, 1.0, 13.7, math.pi / 2),
     "clamp near the bottom of a well": (0.0, 1.0, 13.7, math.pi / 2 + 1e-10),
+    "clamp on the level": ((4 / 80) ** 2 / 3, 2 * (4 / 80) ** 2 / 3, 80.0, math.pi / 2),
+    "clamp near the level": ((4 / 80) ** 2 / 3, 2 * (4 / 80) ** 2 / 3, 80.0, math.pi / 2 + 1e-13),
     "clamp near the top": (1.0, 0.5, 5.0, 1e-9),
     "clamp near the top from the other side": (1.0, 0.5, 5.0, -1e-9),
     "clamp several turns on": (1.0, 0.5, 5.0, 3 * math.pi / 4 + 8 * math.pi),

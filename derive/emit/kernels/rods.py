@@ -12,7 +12,7 @@ from derive.emit.kernels.timing import Point, clamp_point, roots_of
 class Arc(NamedTuple):
     """A stretch of rod that starts at the tip: its length, ∫cos θ, ∫sin θ and η∫cos²θ."""
 
-    length: float
+    extent: float
     y: float
     z: float
     square: float
@@ -42,14 +42,14 @@ def half_period_point(beta, eta, tip):
 def swing_of(beta, eta, tip, half):
     """The arc of a half-swing, from the arc of a half-period: through π it is two of them, mirror images in z."""
     if eta <= beta or tip.passes:
-        return Arc(2 * half.length, 2 * half.y, 0 * half.z, 2 * half.square)
+        return Arc(2 * half.extent, 2 * half.y, 0 * half.z, 2 * half.square)
     return half
 
 
 def arrival_of(beta, eta, tip, clamp, half, direct):
     """The arc to the first arrival, from the arc to the point of ℘: beyond π it comes back to the same ℘."""
     if (eta <= beta or tip.passes) and clamp.rest < 0:
-        return Arc(2 * half.length - direct.length, 2 * half.y - direct.y, direct.z, 2 * half.square - direct.square)
+        return Arc(2 * half.extent - direct.extent, 2 * half.y - direct.y, direct.z, 2 * half.square - direct.square)
     return direct
 
 
@@ -84,4 +84,4 @@ def straight_index(beta, eta, xi, length):
     stiffness = straight_stiffness(beta, eta, xi)
     if stiffness <= 0:
         return 0
-    return int(floor(length * sqrt(stiffness) / pi + 0.5))
+    return floor(length * sqrt(stiffness) / pi + 0.5)

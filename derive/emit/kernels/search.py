@@ -65,7 +65,7 @@ def grid(beta, eta, length, clamp, piece):
         # The tip of a stiff rod departs from the clamp angle by half the moment there times the length squared.
         moment = abs(clamp.drive) * sqrt(clamp.one_plus * clamp.one_minus)
         last = max(rounding, 4 + log(2 * piece.width) - log(moment) - 2 * log(length))
-    places = [first + 0.5 * k for k in range(int(ceil(2 * (last - first))) + 1)]
+    places = [first + 0.5 * k for k in range(ceil(2 * (last - first)) + 1)]
     before = [first - 2 * rounding - slow] if piece.low_kind == "level" else []
     after = [places[-1] + 2 * rounding + slow] if piece.high_kind != "rest" else []
     return [*before, *places, *after]

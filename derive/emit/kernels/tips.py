@@ -107,7 +107,8 @@ def pieces(beta, eta, clamp):
     whole = Piece(0, clamp.fold, abs(clamp.rest), "top", kind, True)
     if eta <= beta or clamp.gap <= 0:
         return [whole]
-    return double_well(beta, eta, clamp)
+    # A clamp on the level itself leaves no tips in the well.
+    return [piece for piece in double_well(beta, eta, clamp) if piece.width > 0]
 
 
 def double_well(beta, eta, clamp):

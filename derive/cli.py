@@ -1,0 +1,77 @@
+"""The command line. It reads arguments and shows errors; the work is done in `commands` and below."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+USAGE, FAILED, INTERRUPTED = 2, 1, 130
+NUMBERS = ("beta", "eta", "length", "clamp-angle", "field-angle")
+
+
+def parser() -> argparse.ArgumentParser:
+    """All commands and their options."""
+    top = argparse.ArgumentParser(prog="derive", description="From the magnetic energy of a rod to verified solvers.")
+    common = argparse.ArgumentParser(add_help=False)
+    common.add_argument("--no-cache", action="store_true", help="compute everything anew and keep nothing")
+    common.add_argument("--jobs", type=int, default=0, metavar="N", help="processes (default: one per core)")
+    common.add_argument("--json", type=Path, metavar="FILE", help="write the result as JSON, too")
+    commands = top.add_subparsers(dest="command", metavar="COMMAND")
+
+    add = commands.add_parser("all", parents=[common], help="the main job (also with no command)")
+    add.add_argument("--out", type=Path, metavar="DIR", help="folder for the modules (default: generated)")
+
+    add = commands.add_parser("check", parents=[common], help="judge the derivation and the printed formulas")
+    add.add_argument("--paper", type=Path, metavar="FILE", help="read the formulas from a LaTeX source")
+    add.add_argument("--only", action="append", default=[], metavar="ID", help="only this formula; may be repeated")
+
+    add = commands.add_parser("emit", parents=[common], help="write proved solver modules")
+    add.add_argument("scenes", nargs="*", metavar="SCENE.toml", help="scene file or name (default: all shipped)")
+    add.add_argument("--out", type=Path, metavar="DIR", help="folder for the modules (default: generated)")
+    add.add_argument("--check", action="store_true", help="write nothing; exit 1 with a diff on drift")
+
+    add = commands.add_parser("explain", parents=[common], help="the chain from a formula back to the energy")
+    add.add_argument("what", metavar="ID|MODULE:LINE", help="claim, formula, or a line of an emitted module")
+
+    add = commands.add_parser("solve", parents=[common], help="all equilibria of one rod")
+    add.add_argument("scene", metavar="SCENE", help="shipped scene, or a scene file")
+    for name in NUMBERS:
+        add.add_argument(f"--{name}", metavar="X", help="a number; multiples of pi as in 3*pi/4")
+    return top
+
+
+def joined(arguments: Sequence[str]) -> list[str]:
+    """Arguments with every number tied to its option, so that -1e-3 is not taken for an option."""
+    result: list[str] = []
+    options, rest = {f"--{name}" for name in NUMBERS}, iter(arguments)
+    for argument in rest:
+        value = next(rest, None) if argument in options else None
+        result.append(argument if value is None else f"{argument}={value}")
+    return result
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run a command; the exit code is 0 if all is well, 1 if a check failed, 2 for a mistake in what was asked."""
+    given = joined(sys.argv[1:] if arguments is None else arguments)
+    if not given or (given[0].startswith("-") and given[0] not in ("-h", "--help")):
+        given = ["all", *given]
+    options = parser().parse_args(given)
+    from derive import commands
+
+    try:
+        code: int = getattr(commands, f"run_{options.command}")(options)
+        return code
+    except KeyboardInterrupt:
+        print("derive: interrupted; no file was changed by halves", file=sys.stderr)
+        return INTERRUPTED
+    except BrokenPipeError:
+        sys.stderr.close()
+        return FAILED
+    except Exception as error:
+        kind = commands.kind_of(error)
+        if kind is None:
+            raise
+        print(f"derive {options.command}: {error}", file=sys.stderr)
+        return USAGE if kind == "mistake" else FAILED

@@ -1,0 +1,176 @@
+"""Slicing: from the outputs that a scene wants, everything they reach, and nothing else."""
+
+from __future__ import annotations
+
+import ast
+import copy
+from collections.abc import Iterable, Mapping
+
+from sympy import Expr, nan, oo, zoo
+
+from derive.emit.backends import FUNCTIONS, MODULE_ALIASES, External
+from derive.emit.errors import EmitError, choices
+from derive.emit.layout import stamp
+from derive.emit.library import Definition, Library
+from derive.emit.pieces import Piece, bound_names, parameters_of
+from derive.emit.printer import formula_function
+from derive.theory.claims import Formula
+
+
+class Slicer:
+    """Makes pieces on demand, each once, and finds which are reached."""
+
+    def __init__(
+        self,
+        library: Library,
+        formulas: Mapping[str, Formula],
+        general: Mapping[str, tuple[str, ...]],
+        folded: Mapping[str, Expr],
+        *,
+        common: bool = False,
+    ) -> None:
+        self.library, self.formulas, self.general, self.folded, self.common = library, formulas, general, folded, common
+        self.pieces: dict[str, Piece] = {}
+        self.missing: set[str] = set()
+
+    def piece(self, file: str, name: str, wanted_by: str) -> str | External:
+        """The piece for ``name`` of a kernel file, made if need be: its final name, or where outside it comes from."""
+        if file == "formulas":
+            return self._formula(name)
+        found = self.library.lookup(file, name)
+        if found is None:
+            raise EmitError(
+                f"kernels/{file}.py has no '{name}', which {wanted_by} needs{choices(name, self._names(file))}"
+            )
+        if isinstance(found, External):
+            return found
+        known = self.pieces.get(name)
+        if known and known.file != self.library.base(found.file):
+            raise EmitError(f"kernels {known.file} and {found.file} both define '{name}'; rename one")
+        return name if known else self._make(found)
+
+    def _names(self, file: str) -> Iterable[str]:
+        stems = [stem for stem in (file, f"{file}_{self.library.backend.name}") if stem in self.library.files]
+        return [name for stem in stems for name in self.library.files[stem].definitions]
+
+    def _formula(self, name: str) -> str:
+        if name not in self.formulas:
+            self.missing.add(name)
+            return name
+        if name in self.pieces:
+            return name
+        piece = Piece(name, "formulas", "formula", None)
+        piece.parameters = self.general.get(name, tuple(symbol.name for symbol in self.formulas[name].arguments))
+        self.pieces[name] = piece
+        self.fix_formula(name, {})
+        return name
+
+    def is_finite(self, name: str, values: Mapping[str, Expr]) -> bool:
+        """Whether the formula has a value there: −β/η has none for η = 0."""
+        return not specialise_formula(self.formulas[name], values).expression.has(zoo, nan, oo, -oo)
+
+    def fix_formula(self, name: str, values: Mapping[str, Expr]) -> None:
+        """Print a piece's formula anew, with ``values`` for the arguments that every call gives in the same way."""
+        piece = self.pieces[name]
+        piece.formula = specialise_formula(self.formulas[name], values)
+        piece.node, piece.names = formula_function(piece.formula, common=self.common), {}
+        origins: dict[str, tuple[str, str] | External] = {row[1]: row for row in FUNCTIONS.values()}
+        self._resolve(piece, origins)
+
+    def _make(self, found: Definition) -> str:
+        kernel = self.library.files[found.file]
+        node = copy.deepcopy(found.node)
+        stamp(node)
+        piece = Piece(found.name, self.library.base(found.file), found.kind, node, kernel.lines)
+        piece.parameters = parameters_of(node)
+        piece.read = frozenset(n.id for n in ast.walk(node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load))
+        self.pieces[found.name] = piece
+        names = {n.id for n in ast.walk(node) if isinstance(n, ast.Name)}
+        origins = {name: origin for name in names if (origin := self.library.origin(found.file, name))}
+        self._resolve(piece, origins)
+        return found.name
+
+    def _resolve(self, piece: Piece, origins: Mapping[str, tuple[str, str] | External]) -> None:
+        """Give every global name of ``piece`` its final form, making the pieces that it names."""
+        shadowed = bound_names(piece.node)
+        final: dict[str, str | External] = {}
+        for node in ast.walk(piece.node):
+            if isinstance(node, ast.Name) and node.id not in shadowed and node.id not in final:
+                origin = origins.get(node.id) or self.library.backend.builtins.get(node.id)
+                if origin:
+                    target = origin if isinstance(origin, External) else self.piece(*origin, piece.name)
+                    final[node.id] = self._plain(target) if isinstance(target, External) else target
+        _Renamer(final).visit(piece.node)
+        for target in final.values():
+            name = target if isinstance(target, str) else _written(target)
+            piece.names[name] = target if isinstance(target, str) else _imported(target)
+
+    def _plain(self, external: External) -> External:
+        """The import without its alias, unless a kernel has a definition of that name."""
+        taken = any(external.name in kernel.definitions for kernel in self.library.files.values())
+        return external if taken or external.name is None else External(external.module, external.name, external.name)
+
+    def reach(self, roots: Iterable[str]) -> list[str]:
+        """Names of the pieces that ``roots`` reach, what is needed before what needs it."""
+        order: dict[str, None] = {}
+
+        def visit(name: str) -> None:
+            if name in self.missing and name not in self.pieces:
+                return
+            if name in order or name in active:
+                return
+            active.add(name)
+            for used in self.pieces[name].uses():
+                if isinstance(self.pieces[name].names[used], str):
+                    visit(used)
+            order[name] = None
+
+        active: set[str] = set()
+        for root in roots:
+            visit(root)
+        return list(order)
+
+
+def specialise_formula(formula: Formula, folded: Mapping[str, Expr]) -> Formula:
+    """The formula with the folded parameters replaced by their values and dropped from its arguments."""
+    fixed = {symbol: folded[symbol.name] for symbol in formula.arguments if symbol.name in folded}
+    if not fixed:
+        return formula
+    arguments = tuple(symbol for symbol in formula.arguments if symbol not in fixed)
+    return Formula(
+        formula.name,
+        arguments,
+        formula.expression.subs(fixed),
+        formula.claim,
+        formula.doc,
+        formula.case,
+        formula.source,
+    )
+
+
+def _written(external: External) -> str:
+    """The name that the text holds for ``external`` (the module's alias where it is qualified)."""
+    return MODULE_ALIASES[external.module] if external.qualified else external.alias
+
+
+def _imported(external: External) -> External:
+    return External(external.module, None, MODULE_ALIASES[external.module]) if external.qualified else external
+
+
+class _Renamer(ast.NodeTransformer):
+    """Writes global names in their final form."""
+
+    def __init__(self, final: Mapping[str, str | External]) -> None:
+        self.final = final
+
+    def visit_Name(self, node: ast.Name) -> ast.expr:
+        target = self.final.get(node.id)
+        if isinstance(target, str):
+            node.id = target
+        elif isinstance(target, External) and target.qualified:
+            alias, attribute = target.qualified.split(".")
+            place = {key: getattr(node, key) for key in ("lineno", "col_offset") if hasattr(node, key)}
+            return ast.Attribute(ast.Name(alias, ast.Load(), **place), attribute, ast.Load(), **place)
+        elif isinstance(target, External):
+            node.id = target.alias
+        return node

@@ -1,0 +1,178 @@
+"""Partial evaluation: a folded scene parameter leaves signatures, fields and calls, and its value spreads.
+
+Rounds of folding, pruning and sweeping go on until nothing changes; what is then no longer reached is left out by
+slicing again. The result says the same as the general kernels at the folded values.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from sympy import Expr
+
+from derive.emit.backends import MODULE_ALIASES, External
+from derive.emit.drop import drop_parameters
+from derive.emit.errors import EmitError
+from derive.emit.fold import fold, fold_inside
+from derive.emit.pieces import Piece, bound_names
+from derive.emit.slice import Slicer
+from derive.emit.tidy import constant_locals, prune, sweep
+from derive.emit.values import value_of
+
+_ROUNDS = 50  # far more than any kernel needs
+
+
+def specialise(slicer: Slicer, roots: Sequence[str]) -> list[str]:
+    """Fold the slicer's constants into its pieces, in place; the names still reached, in order."""
+    folded, pieces = slicer.folded, slicer.pieces
+    kernels = {name: piece for name, piece in pieces.items() if piece.kind != "formula"}
+    values = dict(folded)
+    for piece in kernels.values():
+        _fold(piece, pieces, values)
+    for name, fixed in _fixed_arguments(slicer).items():
+        if slicer.is_finite(name, fixed):
+            slicer.fix_formula(name, fixed)
+        else:
+            slicer.missing.add(name)
+    drop_parameters(pieces, {name: _drops(piece, folded) for name, piece in pieces.items()}, folded)
+    _check_order(slicer)
+    constant = {p.name: p.formula.expression for p in pieces.values() if p.formula and p.formula.expression.is_number}
+    for _ in range(_ROUNDS):
+        before = _forms(kernels)
+        for piece in kernels.values():
+            _round(piece, constant, pieces)
+        _drop_unused(pieces, roots)
+        if _forms(kernels) == before:
+            break
+    return _checked(slicer, slicer.reach(roots))
+
+
+def _forms(pieces: Mapping[str, Piece]) -> list[str]:
+    return [ast.dump(piece.node) for piece in pieces.values()]
+
+
+def _fold(piece: Piece, pieces: Mapping[str, Piece], values: Mapping[str, Any]) -> None:
+    modules = {name for name, origin in piece.names.items() if isinstance(origin, External) and origin.name is None}
+    # A folded name that the function assigns (eta = float(eta)) is swept before its loads are replaced.
+    assigned = bound_names(piece.node) & set(values)
+    if assigned:
+        piece.node = sweep(piece.node, assigned, _pure(pieces), f"kernels/{piece.file}.py ({piece.name})", strict=True)
+    piece.node = fold(piece.node, values, {}, modules | set(MODULE_ALIASES.values()))
+
+
+_PURE = frozenset(
+    ("float", "int", "abs", "min", "max", "sum", "len", "range", "tuple", "list", "zip", "mpf", "real", "isfinite")
+    + ("sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "floor", "ceil", "hypot")
+)
+
+
+def _pure(pieces: Mapping[str, Piece]) -> frozenset[str]:
+    """Functions whose call can be left out with its result: kernels have no effects."""
+    return _PURE | {name for name, piece in pieces.items() if piece.kind != "constant"}
+
+
+def _drops(piece: Piece, folded: Mapping[str, Expr]) -> tuple[str, ...]:
+    """Parameters of the general form that the piece loses: folded ones, and what its load case's formula lacks."""
+    if piece.formula:
+        kept = [symbol.name for symbol in piece.formula.arguments]
+        extra = [name for name in kept if name not in piece.parameters]
+        if extra:
+            raise EmitError(
+                f"formula '{piece.name}' of case '{piece.formula.case}' takes {extra}, which its general form "
+                f"({', '.join(piece.parameters)}) lacks; kernels cannot call it"
+            )
+        return tuple(name for name in piece.parameters if name not in kept)
+    keywords = [a.arg for a in piece.node.args.kwonlyargs] if isinstance(piece.node, ast.FunctionDef) else []
+    return tuple(name for name in (*piece.parameters, *keywords) if name in folded)
+
+
+def _fixed_arguments(slicer: Slicer) -> dict[str, dict[str, Expr]]:
+    """For each formula, the folded arguments that every call gives as they are (not scaled, say)."""
+    fixed = {
+        name: {key: value for key, value in slicer.folded.items() if key in piece.parameters}
+        for name, piece in slicer.pieces.items()
+        if piece.formula
+    }
+    for piece in slicer.pieces.values():
+        for call in (n for n in ast.walk(piece.node) if isinstance(n, ast.Call)):
+            name = call.func.id if isinstance(call.func, ast.Name) else ""
+            if name in fixed:
+                given = dict(zip(slicer.pieces[name].parameters, call.args, strict=False))
+                given |= {str(k.arg): k.value for k in call.keywords}
+                fixed[name] = {k: v for k, v in fixed[name].items() if k in given and value_of(given[k]) == v}
+    return fixed
+
+
+def _check_order(slicer: Slicer) -> None:
+    """A formula's arguments must keep the order of its general form."""
+    for piece in slicer.pieces.values():
+        if piece.formula and tuple(s.name for s in piece.formula.arguments) != piece.parameters:
+            raise EmitError(
+                f"formula '{piece.name}' of case '{piece.formula.case}' must take {piece.parameters} in this order"
+            )
+
+
+def _round(piece: Piece, constant: Mapping[str, Any], pieces: Mapping[str, Piece]) -> None:
+    """One round on one kernel piece."""
+    for function in [n for n in ast.walk(piece.node) if isinstance(n, ast.FunctionDef)] or [piece.node]:
+        known = constant_locals(function) if isinstance(function, ast.FunctionDef) else {}
+        fold_inside(function, known, constant, set(MODULE_ALIASES.values()))
+    piece.node = prune(piece.node)
+    _sweep(piece, pieces)
+
+
+def _sweep(piece: Piece, pieces: Mapping[str, Piece]) -> None:
+    """Remove assignments that folding has left unread; what the author left unread stays."""
+    if not isinstance(piece.node, ast.FunctionDef):
+        return
+    loaded = {n.id for n in ast.walk(piece.node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load)}
+    stored = {n.id for n in ast.walk(piece.node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
+    unread = (stored - loaded) & piece.read
+    if unread:
+        piece.node = sweep(piece.node, unread, _pure(pieces), piece.name)
+        piece.node.body = piece.node.body or [ast.Pass()]
+
+
+def _drop_unused(pieces: Mapping[str, Piece], roots: Sequence[str]) -> None:
+    """Parameters that folding has left unread, where every use of the function is a plain call."""
+    passed_on = _passed_on(pieces)
+    drops: dict[str, tuple[str, ...]] = {}
+    for name, piece in pieces.items():
+        if piece.kind == "function" and name not in roots and name not in passed_on:
+            loaded = {n.id for n in ast.walk(piece.node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load)}
+            gone = tuple(p for p in piece.parameters if p in piece.read and p not in loaded)
+            if gone:
+                drops[name] = gone
+    if drops:
+        drop_parameters(pieces, drops, {})
+
+
+def _passed_on(pieces: Mapping[str, Piece]) -> set[str]:
+    """Functions that are used otherwise than by a call with plain arguments."""
+    found: set[str] = set()
+    for piece in pieces.values():
+        called = {id(n.func) for n in ast.walk(piece.node) if isinstance(n, ast.Call) and not _starred(n)}
+        loads = (n for n in ast.walk(piece.node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load))
+        found |= {n.id for n in loads if id(n) not in called}
+    return found
+
+
+def _starred(node: ast.Call) -> bool:
+    return any(isinstance(a, ast.Starred) for a in node.args) or any(k.arg is None for k in node.keywords)
+
+
+def _checked(slicer: Slicer, names: list[str]) -> list[str]:
+    """Refuse a slice that still calls what the load case does not have."""
+    for name in names:
+        lacking = [used for used in slicer.pieces[name].uses() if used in slicer.missing]
+        if lacking:
+            piece = slicer.pieces[name]
+            place = f"kernels/{piece.file}.py ({name})"
+            folded = ", ".join(f"{key} = {value}" for key, value in slicer.folded.items()) or "nothing"
+            raise EmitError(
+                f"{place} calls {', '.join(lacking)}, which the load case does not have, with {folded} folded; "
+                "guard the call by a test that folding decides"
+            )
+    return names

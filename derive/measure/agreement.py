@@ -1,0 +1,136 @@
+"""Run an emitted module against the references, and say how far it is off in units that mean something.
+
+A solver in double precision cannot be better than its inputs: moving them by one rounding u = 2**-53 moves a quantity Q
+by u·Σ|p ∂Q/∂p|, and writing Q down costs u times its natural size (1 for angles, ℓ for places, √(β+η) for curvatures,
+(β+η)ℓ for energies). Errors are given in multiples of the sum of both; 1 is as good as doubles can be.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from math import isfinite, sqrt
+from types import ModuleType
+from typing import Any
+
+from mpmath import mp, mpf
+
+from derive.measure.reference import DIGITS, FRACTIONS, Reference, Rod
+
+DOUBLE = 2.0**-53
+# Digits at which the mpmath twins are run; the references have 40.
+TWIN_DIGITS = 30
+# How many roundings a module may be off before it is not written. A wrong sign or term is off by more than 1e10;
+# what is measured on moderate rods is 10 at most, and a rod near a fold may cost some more.
+ROUNDINGS = 200.0
+
+QUANTITIES = ("tip_angle", "clamp_curvature", "y", "z", "energy", "theta(s)", "curvature(s)", "y(s)", "z(s)")
+
+
+@dataclass(frozen=True)
+class Row:
+    """The worst error of one quantity: absolute, over its natural size, in roundings, and where it was met."""
+
+    quantity: str
+    absolute: float
+    relative: float
+    roundings: float
+    rod: str
+
+
+@dataclass
+class Agreement:
+    """How a module compares: one row per quantity, and what is wrong in kind (missing equilibria, wrong index)."""
+
+    rows: dict[str, Row] = field(default_factory=dict)
+    faults: list[str] = field(default_factory=list)
+    equilibria: int = 0
+
+    @property
+    def holds(self) -> bool:
+        """Whether the module may be written."""
+        within = all(row.roundings <= ROUNDINGS for row in self.rows.values())
+        return within and bool(self.equilibria) and not self.faults
+
+    def reasons(self) -> list[str]:
+        """What keeps the module from being written, one line each."""
+        far = [row for row in self.rows.values() if not row.roundings <= ROUNDINGS]
+        lines = [
+            f"{row.quantity} is off by {row.absolute:.1e} ({row.roundings:.1e} roundings) at {row.rod}" for row in far
+        ]
+        return self.faults + lines + ([] if self.equilibria else ["it was compared with no equilibrium at all"])
+
+
+def agreement(module: ModuleType, references: Iterable[tuple[Rod, list[Reference]]], unit: float = DOUBLE) -> Agreement:
+    """The worst errors of a module over some rods and all their equilibria; unit is the module's rounding."""
+    result = Agreement()
+    for rod, known in references:
+        try:
+            enter(result, module, rod, known, unit)
+        except Exception as error:  # whatever a module raises on a valid rod is its fault
+            result.faults.append(f"it fails with {type(error).__name__}: {error} at {rod}")
+    return result
+
+
+def enter(result: Agreement, module: ModuleType, rod: Rod, known: list[Reference], unit: float) -> None:
+    """Enter what a module finds for one rod."""
+    found = module.equilibria(**arguments(module.equilibria, rod))
+    if len(found) != len(known):
+        result.faults.append(f"{len(found)} equilibria instead of {len(known)} at {rod}")
+        return
+    for equilibrium, reference in zip(found, known, strict=True):
+        result.equilibria += 1
+        if equilibrium.index != reference.index:
+            place = f"tip angle {float(equilibrium.tip_angle):.10g}, {rod}"
+            result.faults.append(f"index {equilibrium.index} instead of {reference.index} at {place}")
+        compare(result, reference, answers(module, equilibrium, rod), unit)
+
+
+def arguments(function: Callable[..., Any], rod: Rod) -> dict[str, Any]:
+    """The parameters that a function of the module takes, from the rod; a folded or absent one is left out."""
+    known = {**vars(rod), "dps": TWIN_DIGITS}
+    return {name: known[name] for name in inspect.signature(function).parameters if name in known}
+
+
+def answers(module: ModuleType, equilibrium: Any, rod: Rod) -> dict[str, Any]:
+    """All quantities that the module gives for one equilibrium, by the references' names."""
+    names = ("tip_angle", "clamp_curvature", "y", "z", "energy")
+    values = {name: getattr(equilibrium, name) for name in names if hasattr(equilibrium, name)}
+    if hasattr(module, "shape"):
+        digits = {name: value for name, value in arguments(module.shape, rod).items() if name == "dps"}
+        for fraction in FRACTIONS:
+            shape = module.shape(equilibrium, fraction * rod.length, **digits)
+            for name in ("theta", "curvature", "y", "z"):
+                values[f"{name}({fraction}ℓ)"] = getattr(shape, name)
+    return values
+
+
+def compare(result: Agreement, reference: Reference, values: Mapping[str, Any], unit: float) -> None:
+    """Enter the errors of one equilibrium where they are the worst so far."""
+    rod = reference.rod
+    for name, value in values.items():
+        quantity = name.split("(")[0] + "(s)" if "(" in name else name
+        size = natural_size(quantity, rod)
+        with mp.workdps(DIGITS + 5):
+            error = abs(float(mpf(value) - reference.values[name]))
+        roundings = error / (unit * (size + reference.sensitivity[name]))
+        worst = result.rows.get(quantity)
+        if not isfinite(error):
+            result.faults.append(f"{quantity} is {value} at {rod}")
+        elif worst is None or roundings > worst.roundings:
+            result.rows[quantity] = Row(quantity, error, error / size, roundings, str(rod))
+
+
+def natural_size(quantity: str, rod: Rod) -> float:
+    """The size below which a quantity is as good as zero."""
+    stiffness = rod.beta + rod.eta
+    match quantity.removesuffix("(s)"):
+        case "tip_angle" | "theta":
+            return 1.0
+        case "curvature" | "clamp_curvature":
+            return sqrt(stiffness) or 1.0
+        case "energy":
+            return stiffness * rod.length or 1.0
+        case _:
+            return rod.length

@@ -1,0 +1,126 @@
+"""All equilibria of a moderate rod by brute force in double precision; shares no formula with the solvers.
+
+Every tip angle is tried: a rod integrated from each of some ten thousand of them reaches the clamp at θ(0), and an
+equilibrium lies where θ(0) crosses the clamp angle. Between two neighbours the crossings are separated by the extrema
+of θ(0), and those are the zeros of h(0) = ∂θ(0)/∂θ(ℓ), which are found too.
+
+Limits: doubles lose e^{ℓ√(β+η)}, so ℓ√(β+η) ≤ 20 (`STIFFEST`); two extrema of θ(0) between neighbouring tip angles are
+missed; a pair of equilibria closer than 1e-7 (a rod at a fold) counts as none or two.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from derive.measure.reference import Rod
+
+Array = NDArray[np.float64]
+STIFFEST = 20.0
+ORDER = 14
+LONGEST_STEP = 0.25  # in scaled length: the singularities are about 1.5 away, so a step errs by some (1/6)**15
+GRID = 3001
+ROUNDS = 32  # of bisection: what is left is refined by `reference.solve`
+NOISE = 1e-12  # crossings closer than this are one, crossed back and forth by rounding
+OFFSETS = np.geomspace(1e-14, 0.3, 150)
+
+
+def brute_force(rod: Rod) -> list[float]:
+    """The tip angles of all equilibria, ascending, to about 1e-7; ValueError beyond the limits of doubles."""
+    if rod.length * np.sqrt(rod.beta + rod.eta) > STIFFEST * (1 + 1e-12):
+        raise ValueError(f"brute force is for ℓ√(β+η) ≤ {STIFFEST}; this rod has more: {rod}")
+    tips = candidates(rod)
+    _, h = shoot(rod, tips)
+    turn = np.flatnonzero(np.signbit(h[1:]) != np.signbit(h[:-1]))
+    extrema = bisect(lambda tip: shoot(rod, tip)[1], tips[turn], tips[turn + 1])
+    tips = np.unique(np.concatenate([tips, extrema]))
+    miss = shoot(rod, tips)[0] - rod.clamp_angle
+    cross = np.flatnonzero(np.signbit(miss[1:]) != np.signbit(miss[:-1]))
+    found = bisect(lambda tip: shoot(rod, tip)[0] - rod.clamp_angle, tips[cross], tips[cross + 1])
+    found = np.unique(found)
+    return [float(tip) for tip in found[np.diff(found, prepend=-np.inf) > NOISE]]
+
+
+def candidates(rod: Rod) -> Array:
+    """Tip angles to try: an even grid, and offsets in geometric progression from every critical tip.
+
+    A tip at rest cannot be a whole turn away from the clamp. Critical are the directions of equilibrium (a long rod
+    leaves them exponentially slowly) and the tips at the level of one of the unstable ones (the rod lingers there).
+    """
+    low, high = rod.clamp_angle - 2 * np.pi, rod.clamp_angle + 2 * np.pi
+    grid = np.linspace(low, high, GRID)
+
+    def couple(angle: Array) -> Array:
+        return rod.beta * np.sin(angle) + rod.eta / 2 * np.sin(2 * (angle - rod.field_angle))
+
+    def potential(angle: Array) -> Array:
+        return rod.beta * np.cos(angle) + rod.eta / 2 * np.cos(angle - rod.field_angle) ** 2
+
+    rest = zeros(couple, np.linspace(low - 7, high + 7, 3 * GRID))
+    levels = np.concatenate([zeros(lambda angle, at=at: potential(angle) - potential(at), grid) for at in rest])
+    critical = np.concatenate([rest, levels])
+    near = np.concatenate([critical[:, None] + OFFSETS, critical[:, None] - OFFSETS]).ravel()
+    tips = np.unique(np.concatenate([grid, critical, near]))
+    return tips[(tips >= low) & (tips <= high)]
+
+
+def zeros(function, grid: Array) -> Array:  # type: ignore[no-untyped-def]
+    """Where a function changes sign on a grid."""
+    values = function(grid)
+    at = np.flatnonzero(np.signbit(values[1:]) != np.signbit(values[:-1]))
+    return bisect(function, grid[at], grid[at + 1])
+
+
+def bisect(function, low: Array, high: Array) -> Array:  # type: ignore[no-untyped-def]
+    """One zero in each of many brackets at once."""
+    if not low.size:
+        return low
+    sign = np.signbit(function(low))
+    for _ in range(ROUNDS):
+        middle = (low + high) / 2
+        left = np.signbit(function(middle)) == sign
+        low, high = np.where(left, middle, low), np.where(left, high, middle)
+    return (low + high) / 2
+
+
+def shoot(rod: Rod, tips: Array) -> tuple[Array, Array]:
+    """θ(0) and h(0) for rods with the given tip angles, by Taylor steps on all of them at once."""
+    scale = np.sqrt(rod.beta + rod.eta) or 1.0
+    length = rod.length * scale
+    steps = max(1, int(np.ceil(length / LONGEST_STEP)))
+    beta, eta, step = rod.beta / scale**2, rod.eta / scale**2, length / steps
+    ca, sa = np.cos(rod.field_angle), np.sin(rod.field_angle)
+    angle, rate = tips - rod.field_angle, np.zeros_like(tips)
+    h, h_rate = np.ones_like(tips), np.zeros_like(tips)
+    for _ in range(steps):
+        a, r, g, g_rate = [angle], [rate], [h], [h_rate]
+        p, q, stiffness = [np.cos(angle)], [np.sin(angle)], []
+        for k in range(ORDER):
+            n = k + 1
+            couple = beta * (q[k] * ca + p[k] * sa) + eta * convolve(p, q, k)
+            stiffness.append(beta * (p[k] * ca - q[k] * sa) + eta * (2 * convolve(p, p, k) - (k == 0)))
+            a.append(r[k] / n)
+            g.append(g_rate[k] / n)
+            turn_q, turn_p = convolve(p, r, k), convolve(q, r, k)
+            r.append(couple / n)
+            g_rate.append(convolve(stiffness, g, k) / n)
+            q.append(turn_q / n)
+            p.append(-turn_p / n)
+        angle, rate, h, h_rate = (horner(series, step) for series in (a, r, g, g_rate))
+    return angle + rod.field_angle, h
+
+
+def convolve(a: list[Array], b: list[Array], k: int) -> Array:
+    """Coefficient k of the product of two series."""
+    total: Array = a[0] * b[k]
+    for i in range(1, k + 1):
+        total = total + a[i] * b[k - i]
+    return total
+
+
+def horner(series: list[Array], step: float) -> Array:
+    """The sum of a series at one step."""
+    value = series[-1]
+    for coefficient in reversed(series[:-1]):
+        value = value * step + coefficient
+    return value

@@ -1,0 +1,57 @@
+"""The numbers that a user gives on the command line, each checked at the border."""
+
+from __future__ import annotations
+
+import argparse
+import inspect
+import math
+from types import ModuleType
+
+
+class MistakeError(Exception):
+    """Something in what was asked cannot be; the message says what, where, and what mends it."""
+
+
+def given_numbers(options: argparse.Namespace) -> dict[str, float]:
+    """The numbers on the command line, each checked by itself."""
+    texts = {name: getattr(options, name) for name in ("beta", "eta", "length", "clamp_angle", "field_angle")}
+    values = {name: number(spelled_option(name), text) for name, text in texts.items() if text is not None}
+    for name, value in values.items():
+        if (name in ("beta", "eta") and value < 0) or (name == "length" and value <= 0):
+            bound = "positive" if name == "length" else "at least 0"
+            raise MistakeError(f"--{name} must be {bound} (got {value:g})")
+    return values
+
+
+def parameters(scene: str, module: ModuleType, values: dict[str, float]) -> dict[str, float]:
+    """The numbers that a module needs; MistakeError if one is missing or too many."""
+    wanted = list(inspect.signature(module.equilibria).parameters)
+    needs = f"scene '{scene}' needs {', '.join(map(spelled_option, wanted))}"
+    for name in wanted:
+        if name not in values:
+            raise MistakeError(f"{spelled_option(name)} is missing; {needs}")
+    for name in values:
+        if name not in wanted:
+            raise MistakeError(f"{spelled_option(name)} is no parameter here; {needs}")
+    return {name: values[name] for name in wanted}
+
+
+def spelled_option(name: str) -> str:
+    """A parameter as an option."""
+    return "--" + name.replace("_", "-")
+
+
+def number(option: str, text: str) -> float:
+    """A finite number from the command line."""
+    try:
+        value = float(text)
+    except ValueError:
+        from derive.emit.constants import parse_constant
+
+        try:
+            value = float(parse_constant(text))
+        except (ValueError, OverflowError) as error:
+            raise MistakeError(f"{option}: {error}") from error
+    if not math.isfinite(value):
+        raise MistakeError(f"{option} must be a finite number (got {text})")
+    return value

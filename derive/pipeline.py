@@ -1,0 +1,129 @@
+"""The main job: derive, judge, emit, prove, run against the references; nothing is written unless all of it holds."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from difflib import get_close_matches
+from pathlib import Path
+from typing import Any
+
+from derive import stages
+from derive.runner import Runner
+from derive.stages import Task
+
+GOOD = {"PROVED", "CERTIFIED", "AGREED", "DEFINITION"}
+# Of a printed formula REFUTED is a finding; these two mean that the checker itself gave up.
+GAVE_UP = {"UNKNOWN", "UNREAD"}
+
+
+class UnknownFormulaError(Exception):
+    """A formula is asked for that is not there."""
+
+
+@dataclass
+class Job:
+    """What the main job found. ``broken`` says where the derivation broke off, ``written`` which files changed."""
+
+    claims: list[dict[str, Any]] = field(default_factory=list)
+    broken: str = ""
+    printed: list[dict[str, Any]] = field(default_factory=list)
+    modules: list[dict[str, Any]] = field(default_factory=list)
+    agreements: dict[str, dict[str, Any]] = field(default_factory=dict)
+    written: list[Path] = field(default_factory=list)
+
+    @property
+    def holds(self) -> bool:
+        """Whether modules may be written."""
+        return not (self.broken or self.failed_claims() or self.failed_printed() or self.failed_modules())
+
+    def failed_claims(self) -> list[dict[str, Any]]:
+        """Claims of the derivation that are neither proved nor agreed."""
+        return [claim for claim in self.claims if claim["verdict"] not in GOOD]
+
+    def failed_printed(self) -> list[dict[str, Any]]:
+        """Printed formulas on which there is no verdict."""
+        return [formula for formula in self.printed if formula["verdict"] in GAVE_UP]
+
+    def failed_modules(self) -> list[tuple[str, str]]:
+        """Module and reason, for formulas that do not read back and for answers that differ from the references."""
+        wrong = [(module["name"], module["failure"]) for module in self.modules if module["failure"]]
+        return wrong + [(name, line) for name, found in self.agreements.items() for line in found["faults"]]
+
+
+def judge_theory(runner: Runner, job: Job) -> None:
+    """Derive, and judge every claim of the derivation."""
+    listed = runner.result(Task("theory", "derivation", stages.list_claims, (), stages.THEORY))
+    tasks = [Task("check", c["id"], stages.judge_claim, (c["id"],), stages.CHECK) for c in listed["claims"]]
+    job.broken = listed["broken"]
+    job.claims = runner.results(tasks, stages.derived)
+
+
+def printed_formulas(runner: Runner, source: str = "", only: Sequence[str] = ()) -> list[dict[str, Any]]:
+    """The printed formulas to judge, from the ledger or from a LaTeX text."""
+    listed = runner.result(Task("paper", "reading", stages.list_printed, (source,), stages.PAPER))
+    known = [record["id"] for record in listed]
+    for name in only:
+        if name not in known:
+            close = get_close_matches(name, known, n=1)
+            hint = f"did you mean '{close[0]}'?" if close else f"there are: {', '.join(known) or 'none'}"
+            raise UnknownFormulaError(f"no formula '{name}' here; {hint}")
+    if not listed:
+        raise UnknownFormulaError("no displayed equation here has a label that is known; give the article's source")
+    return [record for record in listed if not only or record["id"] in only]
+
+
+def judge_paper(runner: Runner, job: Job, formulas: Sequence[dict[str, Any]]) -> None:
+    """Judge printed formulas."""
+    tasks = [Task("printed", record["id"], stages.judge_printed, (record,), stages.PRINTED) for record in formulas]
+    job.printed = runner.results(tasks, stages.derived)
+
+
+def read_scenes(runner: Runner, scenes: Iterable[Path]) -> list[Task]:
+    """One task for each module of each scene. A scene file that is wrong is an error here, before any long work."""
+    paths, tasks = stages.emission_paths(), []
+    for path in scenes:
+        text = stages.scene_text(path)
+        scene = runner.result(Task("scene", path.name, stages.read_scene, (text, str(path)), stages.EMIT))
+        for backend in scene["backends"]:
+            name = f"{scene['name']}_{backend}"
+            tasks.append(Task("emit", name, stages.emit, (text, path.name, backend), paths))
+    return tasks
+
+
+def emit_modules(runner: Runner, job: Job, tasks: Sequence[Task]) -> None:
+    """Print the modules and read them back."""
+    job.modules = runner.results(tasks, stages.derived)
+
+
+def run_modules(runner: Runner, job: Job) -> None:
+    """Run every module against the references of its load case."""
+    wanted = {module["name"]: reference_tasks(runner, module) for module in job.modules}
+    known = {task.key: task for tasks in wanted.values() for task in tasks}
+    answers = dict(zip(known, runner.results(list(known.values())), strict=True))
+    tasks = []
+    for module in job.modules:
+        rods = [answers[task.key] for task in wanted[module["name"]]]
+        inputs = (module["text"], module["backend"], rods)
+        tasks.append(Task("agreement", module["name"], stages.agree, inputs, stages.AGREEMENT))
+    job.agreements = dict(zip(wanted, runner.results(tasks), strict=True))
+
+
+def reference_tasks(runner: Runner, module: dict[str, Any]) -> list[Task]:
+    """The tasks that give the references of a module."""
+    label, scene = f"reference {module['case']}", (module["case"], module["folded"])
+    count = runner.result(Task("rods", label, stages.list_rods, scene, stages.REFERENCE))
+    return [Task("reference", label, stages.reference, (*scene, n), stages.REFERENCE) for n in range(count)]
+
+
+def main_job(runner: Runner, scenes: Sequence[Path], *, paper: bool = True) -> Job:
+    """Everything but the writing. A stage whose grounds fail is not begun."""
+    job, emission = Job(), read_scenes(runner, scenes)
+    judge_theory(runner, job)
+    if job.holds and paper:
+        judge_paper(runner, job, printed_formulas(runner))
+    if job.holds:
+        emit_modules(runner, job, emission)
+    if job.holds:
+        run_modules(runner, job)
+    return job

@@ -1,0 +1,119 @@
+"""What the commands print: short tables, and failures with their place."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from rich.console import Console
+from rich.markup import escape
+from rich.table import Table
+
+from derive.pipeline import GOOD, Job
+
+# In the order of trust.
+ORDER = ("PROVED", "CERTIFIED", "AGREED", "DEFINITION", "REFUTED", "UNKNOWN", "UNREAD")
+
+
+def console(*, stderr: bool = False) -> Console:
+    """The terminal; a file or a pipe has lines as long as they need."""
+    found = Console(stderr=stderr, highlight=False)
+    return found if found.is_terminal else Console(stderr=stderr, highlight=False, width=140)
+
+
+def counts(records: Iterable[Mapping[str, Any]]) -> dict[str, int]:
+    """How many records have each verdict; verdicts that none has are left out."""
+    found = Counter(str(record["verdict"]) for record in records)
+    return {verdict: found[verdict] for verdict in ORDER if found[verdict]}
+
+
+def spelled(records: Sequence[Mapping[str, Any]]) -> str:
+    """Counts in one line."""
+    return ", ".join(f"{number} {verdict}" for verdict, number in counts(records).items()) or "none"
+
+
+def show_job(console: Console, job: Job, written: Sequence[Path], seconds: float) -> None:
+    """The table at the end of the main job."""
+    table = Table(title="From the energy to verified solvers", title_justify="left", show_header=False)
+    table.add_column(no_wrap=True)
+    table.add_column(overflow="fold")
+    table.add_row("claims of the derivation", spelled(job.claims))
+    if job.printed:
+        table.add_row("printed formulas", spelled(job.printed))
+        refuted = [formula["id"] for formula in job.printed if formula["verdict"] == "REFUTED"]
+        if refuted:
+            table.add_row("refuted as printed", ", ".join(refuted))
+    for module in job.modules:
+        agreed = job.agreements[module["name"]]
+        table.add_row(f"module {module['name']}", f"{len(module['proof'])} formulas proved; {error_line(agreed)}")
+    table.add_row("files changed", ", ".join(path.name for path in written) or "none")
+    table.add_row("time", f"{seconds:.1f} s")
+    console.print(table)
+
+
+def error_line(agreed: Mapping[str, Any]) -> str:
+    """The worst error of a module against the references, in one line."""
+    worst = max(agreed["rows"], key=lambda row: row["relative"])
+    number = agreed["equilibria"]
+    return f"worst error {worst['relative']:.1e} ({worst['quantity']}) on {number} equilibria of the references"
+
+
+def show_failures(console: Console, job: Job) -> None:
+    """What keeps the modules from being written, one paragraph each."""
+    for claim in job.failed_claims():
+        console.print(
+            f"[bold red]{claim['verdict']}[/] claim [bold]{claim['id']}[/]: {escape(claim['title'])}", soft_wrap=True
+        )
+        show_grounds(console, claim)
+    if job.broken:
+        console.print(f"[bold red]the derivation breaks off[/]: {escape(job.broken)}", soft_wrap=True)
+    for formula in job.failed_printed():
+        console.print(f"[bold red]{formula['verdict']}[/] printed formula [bold]{formula['id']}[/]", soft_wrap=True)
+        show_grounds(console, formula)
+    for name, reason in job.failed_modules():
+        console.print(f"[bold red]module {name}[/]: {escape(reason)}", soft_wrap=True)
+
+
+def show_grounds(console: Console, record: Mapping[str, Any]) -> None:
+    """Counterexample and reason of a verdict."""
+    if example := record.get("counterexample"):
+        items = example.items() if isinstance(example, Mapping) else enumerate(example)
+        console.print(
+            "  counterexample: " + escape(", ".join(f"{name} = {value}" for name, value in items)), soft_wrap=True
+        )
+    if reason := record.get("reason"):
+        console.print(f"  reason: {escape(reason)}", soft_wrap=True)
+
+
+def show_printed(console: Console, formulas: Sequence[Mapping[str, Any]], seconds: float) -> None:
+    """Verdicts on printed formulas, and the grounds of those that are not proved."""
+    table = Table(show_edge=False)
+    for heading in ("formula", "line", "verdict", "method", "time"):
+        table.add_column(heading, justify="right" if heading in ("line", "time") else "left", overflow="fold")
+    for formula in formulas:
+        line, taken = str(formula.get("line") or ""), f"{formula.get('seconds', 0):.2f} s"
+        table.add_row(formula["id"], line, str(formula["verdict"]), escape(formula.get("method", "")), taken)
+    console.print(table)
+    for formula in formulas:
+        if formula["verdict"] not in GOOD:
+            console.print(f"[bold]{formula['id']}[/] {formula['verdict']}")
+            show_grounds(console, formula)
+            if repair := formula.get("repair"):
+                console.print(f"  repair ({repair.get('verdict')}): {escape(str(repair.get('latex')))}")
+    console.print(f"{spelled(formulas)}; {seconds:.1f} s")
+
+
+def show_equilibria(console: Console, equilibria: Sequence[Any], title: str) -> None:
+    """All equilibria of one rod."""
+    names = {"tip_angle": "θ(ℓ)", "clamp_curvature": "θ′(0)", "y": "y", "z": "z", "energy": "energy", "index": "index"}
+    columns = [name for name in names if not equilibria or hasattr(equilibria[0], name)]
+    console.print(escape(title), soft_wrap=True)
+    table = Table(show_edge=False)
+    for name in columns:
+        table.add_column(names[name], justify="right", no_wrap=True)
+    for one in equilibria:
+        values = [getattr(one, name) for name in columns]
+        table.add_row(*(str(v) if isinstance(v, int) else f"{float(v):.11g}" for v in values))
+    console.print(table)

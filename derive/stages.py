@@ -1,0 +1,202 @@
+"""What the main job computes, one small task at a time, each kept under a hash of what it depends on.
+
+A task is a name, its dependencies and a function that gives plain data. The functions import what they need when they
+run: with every result at hand, neither SymPy nor the theory is loaded.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import sys
+import tempfile
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass
+from functools import cache
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from derive.cache import digest
+from derive.resources import templates_folder
+
+HERE = Path(__file__).resolve().parent
+THEORY = (HERE / "theory",)
+CHECK = (*THEORY, HERE / "check")
+PRINTED = (*CHECK, HERE / "paper")
+PAPER = (HERE / "paper",)
+EMIT = (*CHECK, HERE / "emit", HERE / "resources.py")
+REFERENCE = tuple(HERE / "measure" / f"{name}.py" for name in ("taylor", "reference", "scan", "rods"))
+AGREEMENT = (*REFERENCE, HERE / "measure" / "agreement.py")
+
+
+@dataclass(frozen=True)
+class Task:
+    """One piece of work. run(*inputs) gives plain data; paths are the sources it depends on."""
+
+    stage: str
+    label: str
+    run: Callable[..., Any]
+    inputs: tuple[Any, ...]
+    paths: tuple[Path, ...]
+
+    @property
+    def key(self) -> str:
+        """The name of its result in the cache."""
+        return digest(f"{self.stage} {self.run.__name__}", (*self.paths, Path(__file__)), list(self.inputs))
+
+
+@cache
+def derived() -> tuple[Any, Any, str]:
+    """The theory (None if the derivation broke off), its notebook as far as it came, and why it broke off."""
+    from derive.theory.chain import derive_all
+    from derive.theory.claims import Notebook
+
+    book = Notebook()
+    try:
+        return derive_all(book=book), book, ""
+    except Exception as error:  # a broken derivation is judged as far as it came
+        return None, book, f"{type(error).__name__}: {error}"
+
+
+def theory() -> Any:
+    """The whole theory; DerivationError if it broke off."""
+    found, _, reason = derived()
+    if found is None:
+        raise DerivationError(f"the derivation breaks off: {reason}")
+    return found
+
+
+class DerivationError(Exception):
+    """The derivation breaks off."""
+
+
+def list_claims() -> dict[str, Any]:
+    """All claims of the derivation, and where it broke off, if it did."""
+    _, book, reason = derived()
+    claims = [{"id": c.id, "title": c.title, "steps": list(c.steps), "source": c.source} for c in book.claims.values()]
+    return {"claims": claims, "broken": reason}
+
+
+def judge_claim(name: str) -> dict[str, Any]:
+    """The verdict on one claim of the derivation."""
+    from derive.check.judge import judge
+
+    claim = derived()[1].claims[name]
+    return {"title": claim.title, **plain(judge(claim))}
+
+
+def list_printed(source: str) -> list[dict[str, Any]]:
+    """The printed formulas that can be judged, as data; source is a LaTeX text, or empty for the ledger."""
+    from derive.paper.ledger import from_source, load_ledger
+
+    known = load_ledger()
+    return [plain(record) for record in (from_source(source, known) if source else known).values()]
+
+
+def judge_printed(record: dict[str, Any]) -> dict[str, Any]:
+    """The verdict on one printed formula."""
+    from derive.check.printed import judge_formulas
+    from derive.paper.ledger import Record
+
+    formula = Record(**{**record, "given": tuple(record["given"])})
+    (verdict,) = judge_formulas(theory(), {formula.id: formula})
+    return plain(verdict)
+
+
+def scene_text(path: Path) -> str:
+    """The text of a scene file; what is wrong with the file is said when it is read as a scene."""
+    try:
+        return path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError):
+        return ""
+
+
+def read_scene(text: str, label: str) -> dict[str, Any]:
+    """What a scene file says."""
+    from derive.emit.scene import load_scene, parse_scene
+
+    scene = parse_scene(text, label) if text else load_scene(Path(label))
+    return {"name": scene.name, "backends": list(scene.backends), "parameters": list(scene.parameters)}
+
+
+def emit(scene_text: str, label: str, backend: str) -> dict[str, Any]:
+    """One module, printed, read back and proved; "failure" says why it must not be written, if it must not."""
+    from derive.emit.errors import EmitError
+    from derive.emit.module import emit_module
+    from derive.emit.proof import as_json, prove_module
+    from derive.emit.scene import parse_scene
+
+    scene = parse_scene(scene_text, label)
+    found = {
+        "name": f"{scene.name}_{backend}",
+        "case": scene.case,
+        "folded": {name: float(value) for name, value in scene.folded.items()},
+        "backend": backend,
+    }
+    try:
+        module = emit_module(theory(), scene, backend)
+        proof = as_json(prove_module(module, run=None))["formulas"]  # it is run by `agree`
+    except EmitError as error:
+        return {**found, "failure": str(error), "text": "", "proof": []}
+    return {**found, "failure": "", "text": module.text, "proof": proof, "left_out": list(module.left_out)}
+
+
+def emit_formulas() -> str:
+    """The text of the kernels' own formulas."""
+    from derive.emit.module import emit_kernel_formulas
+
+    return str(emit_kernel_formulas(theory()))
+
+
+def list_rods(case: str, folded: dict[str, float]) -> int:
+    """How many rods the modules of a scene are run on."""
+    from derive.measure.rods import rods
+
+    return len(rods(case, folded))
+
+
+def reference(case: str, folded: dict[str, float], number: int) -> list[dict[str, Any]]:
+    """All equilibria of one of the rods of a load case, to 40 digits."""
+    from derive.measure.rods import references, rods
+
+    return [found.to_json() for found in references(rods(case, folded)[number])]
+
+
+def agree(text: str, backend: str, known: Sequence[Sequence[dict[str, Any]]]) -> dict[str, Any]:
+    """How far a module is off the references; an exception in the module is a fault like any other."""
+    from derive.measure.agreement import DOUBLE, TWIN_DIGITS, agreement
+    from derive.measure.reference import Reference
+
+    answers = [[Reference.from_json(one) for one in rod] for rod in known]
+    unit = 10.0**-TWIN_DIGITS if backend == "mpmath" else DOUBLE
+    try:
+        module = load(text)
+    except Exception as error:
+        return {"rows": [], "faults": [f"it cannot be imported: {type(error).__name__}: {error}"], "equilibria": 0}
+    result = agreement(module, [(rod[0].rod, rod) for rod in answers], unit)
+    rows = [asdict(row) for row in result.rows.values()]
+    return {"rows": rows, "faults": result.reasons(), "equilibria": result.equilibria}
+
+
+def load(text: str, name: str = "emitted") -> ModuleType:
+    """Import a module from its text, without leaving it anywhere."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / f"{name}.py"
+        path.write_text(text, encoding="utf-8")
+        spec = importlib.util.spec_from_file_location(f"_{name}_under_test", path)
+        if spec is None or spec.loader is None:
+            raise ImportError(name)
+        module = importlib.util.module_from_spec(spec)
+        sys.modules[spec.name] = module  # dataclasses look their module up there
+        spec.loader.exec_module(module)
+        return module
+
+
+def plain(record: Any) -> dict[str, Any]:
+    """A record as plain data."""
+    return dict(record.to_json()) if hasattr(record, "to_json") else asdict(record)
+
+
+def emission_paths() -> tuple[Path, ...]:
+    """What an emitted module depends on besides its scene."""
+    return (*EMIT, templates_folder())

@@ -1,0 +1,1 @@
+"""Solver modules emitted from scenes, such as ``parallel_numpy``. Do not edit them."""

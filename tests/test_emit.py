@@ -1,0 +1,430 @@
+"""The emitter by itself, on small kernels and a few formulas typed in."""
+
+from __future__ import annotations
+
+import ast
+import hashlib
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import mpmath
+import pytest
+from emit_standin import FORMULAS, SAMPLE, THEORY
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from sympy import Integer, Rational, pi, sqrt, symbols
+
+from derive.emit import writer
+from derive.emit.constants import parse_constant
+from derive.emit.errors import EmitError, SceneError
+from derive.emit.module import emit_kernel_formulas, emit_module
+from derive.emit.printer import formula_function
+from derive.emit.proof import check_names, prove_formulas, prove_module
+from derive.emit.running import load
+from derive.emit.scene import load_scene, parse_scene
+from derive.emit.style import wrap
+from derive.emit.writer import stale_modules, write_modules, write_texts
+from derive.resources import shipped_scenes
+from derive.theory.claims import Formula
+from derive.theory.functions import RC, RF, RJ
+
+HEAD = '[scene]\nname = "sample"\ncase = "parallel"\noutputs = ["equilibria", "shape"]\n'
+RANDOM = symbols("a b c d", positive=True)
+
+
+def scene_of(case="parallel", constants="", outputs='["equilibria", "shape"]'):
+    return parse_scene(f'[scene]\nname = "sample"\ncase = "{case}"\noutputs = {outputs}\n[constants]\n{constants}')
+
+
+def emitted(case="parallel", backend="numpy", constants="", kernels=None, **options):
+    return emit_module(THEORY, scene_of(case, constants), backend, kernels={**SAMPLE, **(kernels or {})}, **options)
+
+
+# Scenes
+
+
+def test_shipped_scenes_are_read():
+    scenes = {name: load_scene(path) for name, path in shipped_scenes().items()}
+    assert {"parallel", "force_only"} <= set(scenes)
+    assert all(scene.name == name for name, scene in scenes.items())
+    assert scenes["force_only"].folded["eta"] == 0
+    assert "eta" not in scenes["force_only"].parameters
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "says"),
+    [
+        (HEAD.replace("case", "caze"), 3, "possible: backends, case, name, outputs, title"),
+        (HEAD.replace('"parallel"', '"paralel"'), 3, "did you mean 'parallel'"),
+        (HEAD.replace('"shape"', '"shapes"'), 4, "possible: equilibria, shape, sweep"),
+        (HEAD + 'backends = ["fortran"]\n', 5, "possible: mpmath, numpy"),
+        (HEAD + "title = 3\n", 5, "must be a string"),
+        (HEAD + "[constants]\nlenght = 80\n", 6, "did you mean 'length'"),
+        (HEAD + '[constants]\nlength = "0"\n', 6, "length > 0"),
+        (HEAD + '[constants]\n\nbeta = "-1/2"\n', 7, "beta >= 0"),
+        (HEAD + "[constants]\nlength = 0.1\n", 6, "as a string"),
+        (HEAD + '[constants]\nlength = "3*tau"\n', 6, "'tau' at character 3"),
+        (HEAD + '[constants]\nlength = "__import__(1)"\n', 6, "possible: integers, decimals, pi"),
+        (HEAD.replace("parallel", "force_only") + '[constants]\neta = "1"\n', 6, "already fixes eta = 0"),
+        (HEAD + "[constant]\n", 5, "possible: constants, scene"),
+        (HEAD + "outputs = [\n", 5, "is not TOML"),
+        ('[scene]\nname = "x"\n', 1, "lacks case, outputs"),
+        (HEAD.replace("sample", "../x"), 2, "lower-case letters"),
+    ],
+)
+def test_scene_error_names_line_and_choices(text, line, says):
+    with pytest.raises(SceneError) as caught:
+        parse_scene(text, "my.toml")
+    assert str(caught.value).startswith(f"my.toml:{line}: ")
+    assert says in str(caught.value)
+
+
+def test_scene_file_that_is_missing(tmp_path):
+    with pytest.raises(SceneError, match="cannot be read"):
+        load_scene(tmp_path / "none.toml")
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [("80", Integer(80)), ("3*pi/4", 3 * pi / 4), ("-0.1", Rational(-1, 10)), ("1e-3*(2-1/3)", Rational(1, 600))],
+)
+def test_constants_are_exact(text, value):
+    assert parse_constant(text) == value
+
+
+@pytest.mark.parametrize("text", ["", "1/0", "2**3", "3pi", "1e999", "(1", "nan", True, 0.5, "9" * 300])
+def test_bad_constants(text):
+    with pytest.raises(ValueError, match=r"."):
+        parse_constant(text)
+
+
+# Slicing and specialising
+
+
+def test_slice_leaves_out_what_is_not_reached():
+    module = emitted()
+    assert "def unreached" not in module.text
+    assert "arc_y" in module.left_out
+    alone = emit_module(THEORY, scene_of(outputs='["shape"]'), "numpy", kernels=SAMPLE)
+    assert "def solve" not in alone.text
+    assert alone.formulas == ()
+    check_names(alone.text, alone.path, "numpy")
+
+
+def test_folded_field_goes_everywhere():
+    text = emitted("force_only").text
+    names = {n.id for n in ast.walk(ast.parse(text)) if isinstance(n, ast.Name)}
+    arguments = {n.arg for n in ast.walk(ast.parse(text)) if isinstance(n, ast.arg)}
+    assert "eta" not in names | arguments
+    assert "def level" not in text
+    assert "root_other" not in text
+    assert "# at the clamp" in text  # comments of what was not changed stay
+
+
+@pytest.mark.parametrize("backend", ["numpy", "mpmath"])
+@pytest.mark.parametrize(
+    ("case", "constants", "fixed"),
+    [
+        ("parallel", 'eta = "1/10"', {"eta": 0.1}),
+        ("parallel", 'eta = "0"\nbeta = "2"', {"eta": 0.0, "beta": 2.0}),
+        ("parallel", 'length = "80"\nclamp_angle = "3*pi/4"', {"length": 80.0, "clamp_angle": 0.75 * mpmath.pi}),
+        ("force_only", "", {"eta": 0.0}),
+        ("force_only", 'length = "1/3"\nbeta = "0"', {"eta": 0.0, "beta": 0.0, "length": 1 / 3}),
+    ],
+)
+def test_specialised_agrees_with_full(case, constants, fixed, backend):
+    full, special = load(emitted(backend=backend)), load(emitted(case, backend, constants))
+    rod = {"beta": 0.7, "eta": 1.3, "length": 2.5, "clamp_angle": 2.1} | {k: float(v) for k, v in fixed.items()}
+    (expected,) = full.equilibria(**rod)
+    (got,) = special.equilibria(**{k: v for k, v in rod.items() if k not in fixed})
+    assert float(got.value) == pytest.approx(float(expected.value), rel=1e-14)
+    assert float(special.shape(got, 0.4)) == pytest.approx(float(full.shape(expected, 0.4)), rel=1e-14)
+
+
+def test_checks_of_arguments_survive_folding():
+    with pytest.raises(ValueError, match="must not be negative"):
+        load(emitted("force_only")).equilibria(-1.0, 1.0, 1.0)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "says"),
+    [
+        ("root_other(eta, 1 + xi, 1 - xi)", "cos_bottom(beta, eta)", "cos_bottom, which the load case does not have"),
+        ("rod = Rod(beta, eta, real", "rod = Rod(beta, beta, real", "something else than the folded eta"),
+        ("return level(beta, eta)", "return level(*[beta, eta])", "write them out"),
+        ("level(beta, eta) *", "max(map(level, [beta], [eta])) *", "passed on as a value"),
+    ],
+)
+def test_kernels_that_cannot_be_folded_are_refused(old, new, says):
+    kernels = {name: SAMPLE[name].replace(old, new) for name in ("search", "api")}
+    with pytest.raises(EmitError, match=r".") as caught:
+        emitted("force_only", kernels=kernels)
+    assert says in str(caught.value)
+    assert "kernels/" in str(caught.value)
+
+
+def test_import_time_work_is_refused():
+    with pytest.raises(EmitError, match="no work when imported"):
+        emitted(kernels={"search": SAMPLE["search"] + "\nprint(1)\n"})
+
+
+# The mpmath twin
+
+
+def test_precision_is_local_and_real():
+    twin = load(emitted(backend="mpmath"))
+    rod = {"beta": "0.7", "eta": "1.3", "length": "2.5", "clamp_angle": "2.1"}
+    before = mpmath.mp.dps
+    (low,), (high,) = twin.equilibria(**rod, dps=30), twin.equilibria(**rod, dps=60)
+    assert mpmath.mp.dps == before
+    with mpmath.workdps(60):
+        assert 0 < abs(low.value - high.value) < mpmath.mpf("1e-28")
+        assert twin.equilibria(**rod)[0].value == high.value
+
+
+# Printing and reading back
+
+
+def random_expressions():
+    leaves = st.sampled_from([*RANDOM, Integer(2), Integer(-3), Rational(1, 3), Rational(-5, 8), Rational(7, 96)])
+
+    def grow(inner):
+        pair = st.tuples(inner, inner)
+        return st.one_of(
+            pair.map(lambda p: p[0] + p[1]),
+            pair.map(lambda p: p[0] * p[1]),
+            pair.map(lambda p: p[0] - p[1] / 3),
+            inner.map(lambda e: 1 / (e**2 + 1)),
+            inner.map(lambda e: sqrt(e**2 + 2)),
+            inner.map(lambda e: (e**2 + 1) ** Rational(-3, 2)),
+            st.tuples(inner, st.integers(2, 5)).map(lambda p: p[0] ** p[1]),
+            pair.map(lambda p: RF(p[0] ** 2 + 1, p[1], 1)),
+            pair.map(lambda p: RC(p[0] ** 2 + 1, p[1] ** 2 + 2)),
+        )
+
+    return st.recursive(leaves, grow, max_leaves=8)
+
+
+@settings(max_examples=60, deadline=None, derandomize=True)
+@given(random_expressions(), st.booleans())
+def test_printed_formulas_read_back(expression, common):
+    formula = Formula("f", RANDOM, expression, "test.f", "Random")
+    text = ast.unparse(ast.fix_missing_locations(formula_function(formula, common=common)))
+    head = (
+        "from derive.emit.kernels.array_arithmetic import each_sqrt\nfrom derive.emit.kernels.carlson import rf, rc\n"
+    )
+    (proof,) = prove_formulas(f"{head}\n{text}", [formula], "text.py")
+    assert proof.method
+
+
+def test_numbers_are_printed_exactly():
+    a, b = RANDOM[:2]
+    formula = Formula("f", (a, b), -(a**2) / 4 + Rational(1, 3) * b / a - Rational(1, 3), "test.f", "Numbers")
+    text = ast.unparse(ast.fix_missing_locations(formula_function(formula)))
+    assert text.endswith("return b / (3 * a) - 1 / 3 - 0.25 * a * a")
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("return eta * minus - 2 * beta", "return eta * minus + 2 * beta"),
+        ("return beta + eta * xi_tip", "return beta + eta"),
+        ("0.25 * eta", "0.2500001 * eta"),
+        ("def tip_gap(beta, eta, minus)", "def tip_gap(beta, minus, eta)"),
+        ("def tip_gap(", "def tip_gop("),
+        ("return rf(x_plus", "return sqrt(x_plus) + rf(x_plus"),
+        ("return rf(x_plus, x_minus, x_other)", "return __import__('os').getpid()"),
+        ("return eta * minus - 2 * beta", "return eta * minus - 2 * beta if eta else 0"),
+        ("import numpy as np", "import numpy as np\nimport os"),
+        ("def tip_gap(", "def tip_gap(beta, eta, minus):\n    return 0\n\n\ndef tip_gap("),
+    ],
+)
+def test_tampered_text_is_refused(old, new):
+    module = emitted()
+    text = module.text.replace(old, new, 1)
+    assert text != module.text
+    with pytest.raises(EmitError, match=r"tampered\.py"):
+        prove_all(text, module.formulas)
+
+
+def prove_all(text, formulas):
+    prove_formulas(text, formulas, "tampered.py")
+    check_names(text, "tampered.py", "numpy")
+
+
+def test_a_name_means_what_the_imports_make_it():
+    formula = Formula("f", RANDOM[:1], sqrt(RANDOM[0]), "test.f", "A root")
+    honest = "from math import sqrt\n\n\ndef f(a):\n    return sqrt(a)\n"
+    assert prove_formulas(honest, [formula], "text.py")
+    for text in (honest.replace("import sqrt", "import exp as sqrt"), honest.replace("math", "cmath")):
+        with pytest.raises(EmitError, match="no such function"):
+            prove_formulas(text, [formula], "text.py")
+
+
+def test_equal_but_rewritten_text_is_proved():
+    module = emitted()
+    text = module.text.replace("return eta * minus - 2 * beta", "double = beta + beta\n    return minus * eta - double")
+    assert prove_formulas(text, module.formulas, "rewritten.py")
+
+
+def test_wrong_solver_is_refused_by_running():
+    with pytest.raises(EmitError, match="fails at beta"):
+        prove_module(emitted())  # the sample's results have no tip angle
+
+
+def test_kernel_formulas_are_emitted():
+    text = emit_kernel_formulas(THEORY)
+    general = [formula for formula in FORMULAS if formula.case == "parallel"]
+    assert len(prove_formulas(text, general, "formulas.py")) == len(general)
+    assert "rj(x_plus, x_minus, x_other, x_other + 0.25 * eta * plus * minus)" in text
+    assert RJ(*symbols("x y z p")).has(RJ)
+
+
+def test_common_subexpressions_on_request():
+    text = emitted(common=True).text
+    assert prove_formulas(text, emitted(common=True).formulas, "common.py")
+
+
+# Determinism and layout
+
+
+def test_same_bytes_for_every_hash_seed():
+    script = (
+        "from emit_standin import THEORY, SAMPLE\n"
+        "from derive.emit.module import emit_module, emit_kernel_formulas\n"
+        "from derive.emit.scene import parse_scene\n"
+        "import hashlib\n"
+        "text = emit_kernel_formulas(THEORY)\n"
+        "for case in ('parallel', 'force_only'):\n"
+        "    for backend in ('numpy', 'mpmath'):\n"
+        '        scene = parse_scene(f\'[scene]\\nname="x"\\ncase="{case}"\\noutputs=["equilibria", "shape"]\')\n'
+        "        text += emit_module(THEORY, scene, backend, kernels=SAMPLE, common=True).text\n"
+        "print(hashlib.sha256(text.encode()).hexdigest())\n"
+    )
+    here = Path(__file__).resolve().parent
+    found = set()
+    for seed in ("0", "1", "4242"):
+        environment = {**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": f"{here.parent}{os.pathsep}{here}"}
+        run = subprocess.run(
+            [sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=True
+        )
+        found.add(run.stdout)
+    assert len(found) == 1
+
+
+def test_digest_follows_the_inputs():
+    one, other = emitted(), emitted(kernels={"search": SAMPLE["search"] + "\n# changed\n"})
+    assert one.digest != other.digest
+    assert one.digest in one.text
+    assert emitted().text == one.text
+    assert len(one.digest) == len(hashlib.sha256(b"").hexdigest())
+
+
+def test_long_lines_are_broken():
+    text = "return " + " + ".join(f"first_{k} * second_{k}" for k in range(12))
+    lines = wrap(text, "    ")
+    assert max(map(len, lines)) <= 120
+    assert ast.dump(ast.parse("def f():\n" + "\n".join(lines))) == ast.dump(ast.parse(f"def f():\n    {text}"))
+    call = "value = function(" + ", ".join(f"argument_{k}" for k in range(30)) + ")"
+    assert ast.dump(ast.parse("\n".join(wrap(call, "")))) == ast.dump(ast.parse(call))
+
+
+# Writing
+
+
+def test_write_then_check(tmp_path):
+    modules = [emitted(), emitted(backend="mpmath")]
+    assert write_modules(modules, tmp_path / "out") == []
+    assert sorted(p.name for p in (tmp_path / "out").iterdir()) == ["sample_mpmath.py", "sample_numpy.py"]
+    assert write_modules(modules, tmp_path / "out", check=True, complete=True) == []
+
+
+def test_drift_and_stale_files_are_shown(tmp_path):
+    module = emitted()
+    write_modules([module], tmp_path)
+    path = tmp_path / module.path
+    path.write_text(path.read_text().replace("2 * beta", "3 * beta"))
+    (tmp_path / "gone_numpy.py").write_text(emitted(backend="mpmath").text)
+    (tmp_path / "own.py").write_text('"""Written by hand."""\n')
+    drift, stale = write_modules([module], tmp_path, check=True, complete=True)
+    assert "-    return eta * minus - 3 * beta" in drift
+    assert "+    return eta * minus - 2 * beta" in drift
+    assert stale.startswith("--- gone_numpy.py\n+++ (stale)")
+    assert "3 * beta" in path.read_text()
+    assert len(stale_modules(tmp_path, [])) == 2
+
+
+def test_folder_that_cannot_be_written(tmp_path):
+    (tmp_path / "file").write_text("")
+    with pytest.raises(EmitError, match=r"cannot write .*--out"):
+        write_modules([emitted()], tmp_path / "file")
+
+
+def test_nothing_half_written_on_failure(tmp_path, monkeypatch):
+    write_texts({"a.py": "old\n"}, tmp_path)
+
+    def broken(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(writer.os, "replace", broken)
+    with pytest.raises(EmitError, match="No space left"):
+        write_texts({"a.py": "new\n", "b.py": "new\n"}, tmp_path)
+    assert [p.name for p in tmp_path.iterdir()] == ["a.py"]
+    assert (tmp_path / "a.py").read_text() == "old\n"
+
+
+# Running against the reference
+
+STRAIGHT = '''
+"""A rod clamped along the force stays straight."""
+from dataclasses import dataclass
+
+from derive.emit.kernels.arithmetic import real
+from derive.emit.kernels.formulas import tip_drive
+
+
+@dataclass(frozen=True, slots=True)
+class Equilibrium:
+    """The straight rod."""
+
+    tip_angle: float
+    clamp_curvature: float
+    y: float
+    z: float
+    energy: float
+
+
+def equilibria(beta, eta, length, clamp_angle):
+    """The straight rod only."""
+    beta, length = real("beta", beta), real("length", length)
+    return [Equilibrium(clamp_angle, 0, length, 0, -tip_drive(beta, eta, 1) * length)]
+'''
+
+
+def straight(text, backend):
+    scene = scene_of("force_only", 'clamp_angle = "0"', '["equilibria"]')
+    return emit_module(THEORY, scene, backend, kernels={**SAMPLE, "api": text})
+
+
+@pytest.mark.parametrize("backend", ["numpy", "mpmath"])
+def test_a_module_is_run_before_it_counts(backend):
+    proof = prove_module(straight(STRAIGHT, backend))
+    assert [p.formula for p in proof.formulas] == ["tip_drive"]
+    assert all(run.startswith("1 equilibria at beta=") for run in proof.runs)
+    assert proof.runs
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "says"),
+    [
+        ("length, 0, -tip", "length, 0, tip", "energy = "),
+        ("(clamp_angle, 0,", "(clamp_angle, length / 1000000,", "but integration from the clamp gives"),
+        ("[Equilibrium(clamp_angle, 0, length, 0, -tip_drive(beta, eta, 1) * length)]", "[]", "there is always one"),
+    ],
+)
+def test_a_wrong_result_is_refused(old, new, says):
+    with pytest.raises(EmitError, match=r"sample_numpy\.py") as caught:
+        prove_module(straight(STRAIGHT.replace(old, new), "numpy"))
+    assert says in str(caught.value)

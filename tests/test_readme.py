@@ -1,0 +1,28 @@
+"""The README's example prints what the README says."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+def test_the_example_prints_what_is_written() -> None:
+    code, printed = re.search(r"```python\n(.*?)```\s+```\n(.*?)```", README, re.DOTALL).groups()  # type: ignore[union-attr]
+    run = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True)
+    assert run.stdout == printed
+
+
+def test_every_file_named_is_there() -> None:
+    for name in re.findall(r"\]\(([\w./-]+)\)", README) + re.findall(r"`(derive/[\w./]+)`", README):
+        assert (ROOT / name).exists(), name
+
+
+def test_the_tables_are_filled() -> None:
+    for name in ("verdicts", "errors"):
+        table = README.split(f"<!-- {name} -->")[1].split(f"<!-- end {name} -->")[0]
+        assert table.count("\n|") >= 3, f"run examples/readme_tables.py for the table of {name}"

@@ -1,0 +1,111 @@
+"""The derivation checks itself: a sign flipped in any line of a theory script breaks a claim, or the script stops.
+
+Each trial runs in a process of its own: one script is compiled with one sign flipped, the whole chain is derived from
+it, and every claim is tried at random points. A fixed sample of the flips is tried here, spread over all the scripts.
+"""
+
+from __future__ import annotations
+
+import ast
+import copy
+import importlib.abc
+import importlib.util
+import multiprocessing
+import sys
+from pathlib import Path
+
+import pytest
+
+import derive.theory
+
+FOLDER = Path(derive.theory.__file__).parent
+# Records and letters; chain only calls the others.
+PLAIN = {"__init__", "claims", "symbols", "letters", "chain"}
+SCRIPTS = sorted(path.stem for path in FOLDER.glob("*.py") if path.stem not in PLAIN)
+SAMPLE = 48
+
+
+def signs(tree):
+    """Every binary plus and minus and every unary minus, in a fixed order."""
+    for node in ast.walk(tree):
+        binary = isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub)
+        if binary and not any(
+            isinstance(side, ast.Constant | ast.JoinedStr) and not is_number(side) for side in (node.left, node.right)
+        ):
+            yield node
+        elif isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+            yield node
+
+
+def is_number(node):
+    return isinstance(node, ast.Constant) and isinstance(node.value, int | float)
+
+
+def flipped(script, number):
+    """The script's syntax tree with one sign flipped, and the line where."""
+    tree = ast.parse((FOLDER / f"{script}.py").read_text(encoding="utf-8"))
+    node = list(signs(tree))[number]
+    if isinstance(node, ast.BinOp):
+        node.op = ast.Sub() if isinstance(node.op, ast.Add) else ast.Add()
+    else:
+        inner = copy.deepcopy(node.operand)
+        node.operand = ast.UnaryOp(ast.USub(), inner)
+    return ast.fix_missing_locations(tree), node.lineno
+
+
+class Flipped(importlib.abc.MetaPathFinder, importlib.abc.Loader):
+    """Imports one theory script from the flipped tree."""
+
+    def __init__(self, script, tree):
+        self.name, self.tree = f"derive.theory.{script}", tree
+
+    def find_spec(self, name, path=None, target=None):
+        return importlib.util.spec_from_loader(name, self) if name == self.name else None
+
+    def exec_module(self, module):
+        exec(compile(self.tree, f"{self.name} (flipped)", "exec"), module.__dict__)
+
+
+def trial(task):
+    """What stops a flipped derivation: the name of a refuted claim or of an exception; empty if nothing does."""
+    script, number = task
+    tree, line = flipped(script, number)
+    for name in [name for name in sys.modules if name.startswith("derive.")]:
+        del sys.modules[name]
+    sys.meta_path.insert(0, Flipped(script, tree))
+    from derive.check.judge import _refuted
+    from derive.check.prepare import prepared
+
+    try:
+        from derive.theory.chain import derive_all
+
+        claims = derive_all().book.claims.values()
+    except Exception as error:
+        return script, line, f"stopped by {type(error).__name__}"
+    own = script.split("_")[0]
+    for claim in sorted(claims, key=lambda claim: not claim.id.startswith(own)):
+        try:
+            if _refuted(prepared(claim)).counterexample:
+                return script, line, f"refutes {claim.id}"
+        except Exception as error:
+            return script, line, f"stopped by {type(error).__name__} in {claim.id}"
+    return script, line, ""
+
+
+def tasks():
+    """A fixed sample of all flips, evenly spread."""
+    found = [
+        (script, number)
+        for script in SCRIPTS
+        for number in range(len(list(signs(ast.parse((FOLDER / f"{script}.py").read_text(encoding="utf-8"))))))
+    ]
+    return found[:: max(1, len(found) // SAMPLE)]
+
+
+@pytest.mark.long
+def test_a_flipped_sign_breaks_a_claim():
+    with multiprocessing.get_context("spawn").Pool(2, maxtasksperchild=1) as pool:
+        outcomes = list(pool.imap_unordered(trial, tasks(), chunksize=1))
+    survivors = [f"{script}.py:{line}" for script, line, outcome in outcomes if not outcome]
+    assert not survivors
+    assert sum(outcome.startswith("refutes") for _, _, outcome in outcomes) > len(outcomes) / 2
