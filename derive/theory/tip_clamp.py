@@ -104,6 +104,13 @@ def _write_differences(writer: Writer, stiffness: Expr) -> None:
     )
     if stiffness != 0:
         writer.add(
+            "drop_from_gaps",
+            (eta, clamp_gap, gap),
+            (clamp_gap - gap) / stiffness,
+            "ξ(ℓ) − ξ of an orbit that just passes −1",
+            lambda value: Equal(value * writer.meaning[level], at_tip),
+        )
+        writer.add(
             "drop_at_level",
             (eta, clamp_drive, level),
             (level - 2 * clamp_drive) / stiffness,

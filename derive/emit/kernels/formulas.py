@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, the
 formulas of its own load case take their place.
 
-Digest of the inputs: sha256 6e87fffed22c0933527ff43f1420d82053f9ad0a2122b99aeb19dc84de81b772
+Digest of the inputs: sha256 488b716520b335936df124659a718aeb126175d8ce04f11b7f84e1f0efbfed35
 """
 
 from __future__ import annotations
@@ -203,6 +203,14 @@ def gap_below(eta, clamp_gap, drop):
     Equation exsl22; proved as tip.parallel.gap_below.
     """
     return clamp_gap - eta * drop
+
+
+def drop_from_gaps(eta, clamp_gap, gap):
+    """ξ(ℓ) − ξ of an orbit that just passes −1.
+
+    Equation exsl22; proved as tip.parallel.drop_from_gaps.
+    """
+    return (clamp_gap - gap) / eta
 
 
 def drop_at_level(eta, clamp_drive, level):

@@ -61,9 +61,9 @@ def whole_rod(beta, eta, length, clamp, tip, crossing):
     turns, sign = 2 * crossing.turns, crossing.sign
     return Arc(
         length,
-        turns * swing.y + sign * arrival.y,
-        turns * swing.z + sign * arrival.z,
-        turns * swing.square + sign * arrival.square,
+        float(turns * swing.y + sign * arrival.y),
+        float(turns * swing.z + sign * arrival.z),
+        float(turns * swing.square + sign * arrival.square),
     )
 
 

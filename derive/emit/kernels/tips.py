@@ -8,6 +8,7 @@ from derive.emit.kernels.arithmetic import asin, atan2, cos, epsilon, exp, floor
 from derive.emit.kernels.formulas import (
     drive_between,
     drop_at_level,
+    drop_from_gaps,
     gap_below,
     gap_from_side,
     level_above_gap,
@@ -81,14 +82,14 @@ def clamp_at(beta, eta, angle, rest, offset, from_side):
     if from_side:
         side = side_moment(beta, eta)
         drive, gap = moment_from_side(eta, side, small), gap_from_side(eta, side, small)
-        return Clamp(angle, rest, pi - offset, small, large, settled(drive, eta, offset), gap)
+        return Clamp(angle, rest, pi - offset, small, large, settled(drive, eta, offset), settled(gap, eta, offset))
     drive, gap = moment_from_top(beta, eta, small), tip_gap(beta, eta, small)
-    return Clamp(angle, rest, offset, large, small, settled(drive, eta, offset), gap)
+    return Clamp(angle, rest, offset, large, small, settled(drive, eta, offset), settled(gap, eta, offset))
 
 
-def settled(drive, eta, offset):
-    """β + η cos θ(0), or 0 where no angle within rounding of the clamp angle tells it from 0."""
-    return 0 if abs(drive) <= 4 * epsilon() * eta * abs(sin(offset)) else drive
+def settled(value, eta, offset):
+    """A value that changes with η cos θ(0), or 0 where no angle within rounding of the clamp angle tells it from 0."""
+    return 0 if abs(value) <= 4 * epsilon() * eta * abs(sin(offset)) else value
 
 
 def mirror_image(clamp):
@@ -107,8 +108,7 @@ def pieces(beta, eta, clamp):
     whole = Piece(0, clamp.fold, abs(clamp.rest), "top", kind, True)
     if eta <= beta or clamp.gap <= 0:
         return [whole]
-    # A clamp on the level itself leaves no tips in the well.
-    return [piece for piece in double_well(beta, eta, clamp) if piece.width > 0]
+    return double_well(beta, eta, clamp)
 
 
 def double_well(beta, eta, clamp):
@@ -128,7 +128,8 @@ def double_well(beta, eta, clamp):
         return [*outer, Piece(pi, turn_rest, -turn_rest, "side", "turn", False)]
     if clamp.drive >= 0:
         kind = "clamp" if clamp.drive > 0 else "rest"
-        return [*outer, Piece(level, clamp.fold - level, clamp.rest, "level", kind, False)]
+        width = 2 * asin(clamp.gap / (2 * eta * sin((clamp.fold + level) / 2)))
+        return [*outer, Piece(level, width, clamp.rest, "level", kind, False)]
     width = 2 * asin(clamp.one_plus / (2 * sin((turn + level) / 2)))
     return [*outer, Piece(level, width, turn_rest, "level", "turn", False)]
 
@@ -144,7 +145,7 @@ def tip_at(beta, eta, clamp, piece, place):
         drop, level = within_right_well(eta, clamp, piece, rise, fall)
     else:
         half_sine, half_cosine = sin(angle / 2), sin((piece.high_rest + fall) / 2)
-        gap, drop, level = left_of_side(beta, eta, clamp, piece, angle, rise, fall)
+        gap, drop, level = left_of_side(beta, eta, clamp, piece, rise, fall)
     return Tip(half_sine, half_cosine, gap, drop, level, drive_between(eta, drop, level), angle, piece.passes)
 
 
@@ -157,14 +158,14 @@ def within_right_well(eta, clamp, piece, rise, fall):
     return drop_at_level(eta, clamp.drive, level), level
 
 
-def left_of_side(beta, eta, clamp, piece, angle, rise, fall):
+def left_of_side(beta, eta, clamp, piece, rise, fall):
     """gap, drop and level of a tip below π, each a sum of terms of one sign or a product of exact offsets."""
     # 2 sin(high − fall/2) sin(fall/2) is the difference of the cosines of the tip angle and of the high end.
     below_high = 2 * sin(piece.high_rest + fall / 2) * sin(fall / 2)
     if eta <= beta or piece.passes:
         if eta > beta and piece.high_kind == "level":
             gap = -eta * below_high
-            drop = 2 * sin((clamp.fold + angle) / 2) * sin((clamp.fold - angle) / 2)
+            drop = drop_from_gaps(eta, clamp.gap, gap)
         else:
             drop = below_high
             gap = gap_below(eta, clamp.gap, drop)
