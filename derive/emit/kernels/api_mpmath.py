@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from derive.emit.kernels.api import Given, Shape, Sweep, check, equilibria
+from derive.emit.kernels.api import Shape, Sweep, equilibria
+from derive.emit.kernels.arguments import Given, check
 from derive.emit.kernels.arithmetic import real
 from derive.emit.kernels.equilibria import Equilibrium
 from derive.emit.kernels.shapes import angle_and_position
