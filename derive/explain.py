@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
 from derive import stages
+
+ENERGY = ("particle", "energy")  # the scripts whose claims are about the energy itself
+LISTED = 5  # near matches in an error
 
 
 class NothingToExplainError(Exception):
@@ -20,21 +23,44 @@ def explain(what: str, folder: Path) -> dict[str, Any]:
     """The chain for a claim's id, a formula's name, an equation's label, or MODULE:LINE (looked up in the folder)."""
     theory = stages.theory()
     claims: Mapping[str, Any] = theory.book.claims
-    place = re.fullmatch(r"(.+):(\d+)", what)
-    name, case = function_at(Path(place[1]), int(place[2]), folder) if place else (what, "")
-    formulas = [f for f in theory.formulas if name in (f.name, f.source) and case in ("", f.case)]
-    starts = [f.claim for f in formulas] or [c.id for c in claims.values() if name in (c.id, c.source)]
+    place = re.fullmatch(r"(.+):(-?\d+)", what)
+    if place:
+        names, case = formulas_at(Path(place[1]), int(place[2]), folder, {f.name for f in theory.formulas})
+        formulas = [f for f in theory.formulas if f.name in names and case in ("", f.case)]
+        starts = [f.claim for f in formulas]
+    else:
+        starts = [f.claim for f in theory.formulas if what == f.name]
+        starts = starts or [c.id for c in claims.values() if what in (c.id, c.source)]
+        formulas = [f for f in theory.formulas if f.claim in starts]
     if not starts:
-        known = sorted({*claims, *(f.name for f in theory.formulas)})
-        close = get_close_matches(name, known, n=3)
-        hint = f"; did you mean {' or '.join(close)}?" if close else "; 'derive check' lists what there is"
-        raise NothingToExplainError(f"'{name}' is no formula and no claim of the derivation{hint}")
-    chain = [claims[one] for one in ordered(starts, claims)]
+        known = {*claims, *(f.name for f in theory.formulas), *(c.source for c in claims.values() if c.source)}
+        raise NothingToExplainError(f"'{what}' is no formula, claim or equation of the derivation{near(what, known)}")
+    far = distances(claims)
     return {
         "what": what,
+        "starts": starts,
         "formulas": [{"name": f.name, "case": f.case, "doc": f.doc, "expression": str(f.expression)} for f in formulas],
-        "claims": [{"id": c.id, "title": c.title, "steps": list(c.steps), "source": c.source} for c in chain],
+        "claims": [
+            {"id": c.id, "title": c.title, "steps": list(c.steps), "source": c.source, "to_energy": far[c.id]}
+            for c in (claims[one] for one in ordered(starts, claims))
+        ],
     }
+
+
+def near(name: str, known: Collection[str]) -> str:
+    """A hint with the known names that are spelled alike, or that hold the name as one of their parts."""
+    holding = sorted(one for one in known if name.lower() in one.lower().split("."))
+    close = [*get_close_matches(name, sorted(known), n=LISTED), *holding][:LISTED]
+    return f"; did you mean {' or '.join(dict.fromkeys(close))}?" if close else "; 'derive check' lists what there is"
+
+
+def distances(claims: Mapping[str, Any]) -> dict[str, int | None]:
+    """The least number of steps from each claim to one about the energy; None if it does not rest on the energy."""
+    far: dict[str, int | None] = {}
+    for one, claim in claims.items():  # a claim comes after those on which it rests
+        below = [n for n in (far[step] for step in claim.steps) if n is not None]
+        far[one] = 0 if one.split(".")[0] in ENERGY else min(below) + 1 if below else None
+    return far
 
 
 def ordered(starts: list[str], claims: Mapping[str, Any]) -> list[str]:
@@ -42,14 +68,18 @@ def ordered(starts: list[str], claims: Mapping[str, Any]) -> list[str]:
     wanted, waiting = set(), list(starts)
     while waiting:
         one = waiting.pop()
-        if one in claims and one not in wanted:
+        if one not in wanted:
             wanted.add(one)
             waiting.extend(claims[one].steps)
     return [one for one in claims if one in wanted]
 
 
-def function_at(path: Path, line: int, folder: Path) -> tuple[str, str]:
-    """The function of an emitted module in which a line stands, and the load case that its header names."""
+def formulas_at(path: Path, line: int, folder: Path, known: Collection[str]) -> tuple[set[str], str]:
+    """The formulas that stand behind a line of an emitted module, and the load case that its header names.
+
+    Within a formula's function, that formula; elsewhere those that the line calls, or else its function, or else
+    what the function reaches.
+    """
     if not path.suffix:
         path = path.with_suffix(".py")
     found = path if path.is_file() else folder / path.name
@@ -57,22 +87,77 @@ def function_at(path: Path, line: int, folder: Path) -> tuple[str, str]:
         text = found.read_text(encoding="utf-8")
         tree = ast.parse(text)
     except (OSError, UnicodeDecodeError, SyntaxError) as error:
-        raise NothingToExplainError(f"{path}: cannot be read as a module ({error})") from error
+        reason = getattr(error, "strerror", None) or error
+        raise NothingToExplainError(f"{path}: cannot be read as a module ({reason})") from error
+    functions = {node.name: node for node in tree.body if isinstance(node, ast.FunctionDef)}
+    here = next((node for node in functions.values() if covers(node, line)), None)
+    if here is None:
+        length = len(text.splitlines())
+        raise NothingToExplainError(f"{path}:{line} stands in no function (the file has {length} lines)")
     case = re.search(r"^Load case: ([\w ]+)\.", text, re.MULTILINE)
-    for node in tree.body:
-        if isinstance(node, ast.FunctionDef) and node.lineno <= line <= (node.end_lineno or line):
-            return node.name, case[1].replace(" ", "_") if case else ""
-    raise NothingToExplainError(f"{found}:{line} stands in no function (the file has {len(text.splitlines())} lines)")
+    names = {here.name} & set(known) or called(here, line, functions, set(known))
+    if not names:
+        raise NothingToExplainError(f"{path}:{line} stands in the function '{here.name}', which calls no formula")
+    return names, case[1].replace(" ", "_") if case else ""
+
+
+def covers(node: ast.stmt, line: int) -> bool:
+    """True if the line is one of the node's."""
+    return node.lineno <= line <= (node.end_lineno or line)
+
+
+def called(here: ast.FunctionDef, line: int, functions: Mapping[str, ast.FunctionDef], known: set[str]) -> set[str]:
+    """The formulas that the innermost statement on a line names, or its function, or the functions it reaches."""
+    inside = [node for node in ast.walk(here) if isinstance(node, ast.stmt) and covers(node, line)]
+    statement = min(inside, key=lambda node: (node.end_lineno or line) - node.lineno)
+    reached: set[str] = set()
+    for node in (statement, here):
+        found = {part.id for part in ast.walk(node) if isinstance(part, ast.Name)}
+        if found & known:
+            return found & known
+        reached |= found & functions.keys()
+    waiting = list(reached)
+    while waiting:
+        parts = ast.walk(functions[waiting.pop()])
+        new = {part.id for part in parts if isinstance(part, ast.Name)} & functions.keys() - reached
+        reached |= new
+        waiting.extend(new - known)  # what a formula calls is no formula
+    return reached & known
 
 
 def lines(chain: Mapping[str, Any]) -> Iterator[str]:
-    """The chain as text, from the energy to what was asked for."""
-    for claim in chain["claims"]:
-        source = f" ({claim['source']})" if claim["source"] else ""
-        yield f"{claim['id']}{source}: {claim['title']}"
-        if claim["steps"]:
-            yield f"    rests on {', '.join(claim['steps'])}"
+    """The chain as text: the formulas, then each claim with those on which it rests below it, once."""
     for formula in chain["formulas"]:
         case = f" [{formula['case']}]" if formula["case"] else ""
         yield f"{formula['name']}{case} = {formula['expression']}"
         yield f"    {formula['doc']}"
+    claims = {claim["id"]: claim for claim in chain["claims"]}
+    shown: set[str] = set()
+    for start in chain["starts"]:
+        if start not in shown:
+            yield ""
+            yield from branch(start, claims, shown, 0)
+
+
+def branch(one: str, claims: Mapping[str, Any], shown: set[str], depth: int) -> Iterator[str]:
+    """A claim and, indented, what it rests on; claims that were shown before are only named."""
+    claim, indent = claims[one], "  " * depth
+    shown.add(one)
+    notes = "; ".join(note for note in (claim["source"], to_energy(claim)) if note)
+    yield f"{indent}{one} ({notes}): {claim['title']}"
+    before = []
+    for step in claim["steps"]:
+        if step in shown:
+            before.append(step)
+        else:
+            yield from branch(step, claims, shown, depth + 1)
+    if before:
+        yield f"{indent}  see above: {', '.join(before)}"
+
+
+def to_energy(claim: Mapping[str, Any]) -> str:
+    """How far a claim is from the energy, in words."""
+    far = claim["to_energy"]
+    if far is None:
+        return "for any energy"
+    return "about the energy" if far == 0 else f"{far} step{'s' * (far > 1)} to the energy"

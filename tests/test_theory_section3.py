@@ -11,13 +11,15 @@ from sympy import Integer, Rational, Symbol, cos, diff, exp, lambdify, oo, pi, s
 
 from derive.check import elliptic
 from derive.theory import chain
-from derive.theory.claims import Notebook
+from derive.theory.claims import Equal, Notebook
 from derive.theory.load_case import NotElliptic, xi_tip
 from derive.theory.symbols import alpha, beta, eta, gamma, gamma_bar, s, theta, xi
 from derive.theory.tip_names import arc, drive, gap, minus, plus, sin_tip, x_minus, x_other, x_plus
 
 w = Symbol("w", real=True)
 CASES = ("parallel", "orthogonal", "field_only", "force_only")
+# What Section 3 takes from Section 2.
+PREMISES = ("frame.binormal", *(f"equilibrium.{name}" for name in ("energy", "constitutive", "twist", "residual")))
 CARLSON = {"RF": mp.elliprf, "RC": mp.elliprc, "RD": mp.elliprd, "RJ": mp.elliprj}
 
 
@@ -29,7 +31,10 @@ def from_density(density, book=None):
         return d3.cross(d3.diff(s)).diff(s) + d3.cross(force) + turned
 
     section2 = SimpleNamespace(alignment=w, energy_density=density, residual=residual)
-    return chain.derive_section3(section2, book or Notebook())
+    book = book or Notebook()
+    for premise in PREMISES:
+        book.claim(premise, "given here, derived in Section 2", Equal(0, 0))
+    return chain.derive_section3(section2, book)
 
 
 @pytest.fixture(scope="module")

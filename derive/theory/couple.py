@@ -75,7 +75,7 @@ def claim_induction(line: LineEnergy, exact: Matrix, small: Matrix, book: Notebo
         "couple.expansion",
         "to first order the couple on a volume changes with the turn of the particles and with the volume",
         Equal(small, expected.xreplace(dict(zip(a, e3, strict=True)))),
-        steps=["kinematics.orientation"],
+        steps=["energy.invariance", "kinematics.orientation", "kinematics.jacobian"],
         source="elmr13",
     )
     book.claim(
@@ -101,7 +101,7 @@ def claim_couple(couple: Couple, book: Notebook) -> None:
         "couple.induction",
         "the couple of the energy is the couple of the induction on the magnetization",
         Equal(couple.by_variation, couple.by_induction),
-        steps=["couple.variation", "couple.expansion", "energy.invariance"],
+        steps=["couple.variation", "couple.expansion", "line_energy.section", "energy.invariance"],
         source="elmr15",
     )
     d, e = unit(angle("p"), angle("q")), unit(angle("r"), angle("t"))

@@ -8,7 +8,7 @@ Run ``python -m derive.theory.energy`` to print this part.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
 from sympy import Expr, Function, Matrix, Symbol, simplify, zeros
@@ -48,8 +48,11 @@ class Energy:
         return expr.xreplace(dict(zip([*H, *DIRECTION], [*h, *a], strict=True)))
 
 
-def derive(energy: Energy, book: Notebook) -> Energy:
-    """Assert what the energy must satisfy, and give it back; ValueError if it depends on more than h·a."""
+def derive(energy: Energy, book: Notebook, steps: Iterable[str] = ()) -> Energy:
+    """Assert what the energy must satisfy, and give it back; ValueError if it depends on more than h·a.
+
+    steps: the claims from which the energy comes, if it was derived.
+    """
     turning = energy.turning(H, DIRECTION)
     if turning.expand() != zeros(3, 1) and simplify(turning) != zeros(3, 1):
         raise ValueError(
@@ -62,6 +65,7 @@ def derive(energy: Energy, book: Notebook) -> Energy:
         "energy.invariance",
         "the energy stays the same when field and particles turn together",
         Equal(turning, zeros(3, 1)),
+        steps=steps,
     )
     return energy
 

@@ -137,14 +137,14 @@ def claim_sphere(state: Equilibrium, book: Notebook) -> None:
         "equilibrium.sphere",
         "the Euler-Lagrange equations of d3 on the sphere are the residual about their axes",
         Equal(euler(energy, angles), -Matrix([residual.dot(axis) for axis in axes])),
-        steps=["equilibrium.residual"],
+        steps=["equilibrium.residual", "equilibrium.energy"],
         source="exsl6",
     )
     book.claim(
         "equilibrium.tangential",
         "the residual has no part along d3",
         Equal(residual.dot(d3), Rational(0)),
-        steps=["equilibrium.twist"],
+        steps=["equilibrium.residual", "equilibrium.twist"],
     )
 
 

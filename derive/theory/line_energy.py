@@ -122,7 +122,7 @@ def claim_expansion(line: LineEnergy, exact: Expr, small: Expr, book: Notebook) 
         "line_energy.expansion",
         "to first order the energy changes with the turn of the particles and the volume",
         Equal(small, on_axis * (1 + e3.dot(turn_u)) + slope.dot(turn - e3 * e3.dot(turn))),
-        steps=["kinematics.orientation", "kinematics.jacobian"],
+        steps=["energy.invariance", "kinematics.orientation", "kinematics.jacobian"],
         source="kth25",
     )
     book.claim(
@@ -136,6 +136,7 @@ def claim_expansion(line: LineEnergy, exact: Expr, small: Expr, book: Notebook) 
         "line_energy.section",
         "over a section the first order has no part: a triangle, integrated, agrees",
         Equal(over_triangle(small), line.density.subs(A, Rational(9, 2))),
+        steps=["line_energy.expansion"],
         source="kth26",
     )
     book.claim(
@@ -210,7 +211,9 @@ def claim_units(line: LineEnergy, own: Mapping[Symbol, Expr], book: Notebook) ->
 
 def chain(book: Notebook, energy: Energy | None = None) -> LineEnergy:
     """The derivation up to here, from an energy (paramagnetic particles if none is given)."""
-    energy = energy_script.derive(energy or particle.derive(book).energy, book)
+    # An energy that is given is where the derivation begins.
+    made_of = () if energy else ("particle.energy",)
+    energy = energy_script.derive(energy or particle.derive(book).energy, book, made_of)
     return derive(energy, kinematics.derive(frame.derive(book), book), book)
 
 

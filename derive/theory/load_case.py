@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from sympy import Expr, Integer, Symbol, cancel, diff, oo
 
 from .claims import Domain
+from .sources import source
 from .symbols import gamma, gamma_bar, theta, xi
 
 xi_tip = Symbol("xi_tip", real=True)  # ξ(ℓ) = cos θ(ℓ)
@@ -50,6 +51,11 @@ class LoadCase:
         return sign_of(self.stiffness)
 
     @property
+    def letters(self) -> str:
+        """The article's letters of the roots of f̂, ascending."""
+        return "ab" if self.bends else "2"
+
+    @property
     def sense(self) -> int:
         """1 if the range of the constant runs from the double root of f̂ to a straight rod, −1 if it runs back."""
         return (self.bends or 1) * int(diff(self.f_hat, self.constant))
@@ -63,6 +69,14 @@ class LoadCase:
     def at_tip(self) -> Expr:
         """f̂ with the constant that makes ξ(ℓ) its root."""
         return self.f_hat.subs(self.constant, self.tip_constant)
+
+    def source(self, what: str) -> str:
+        """The article's equation, by what it says (a key of ``SOURCES``)."""
+        return source(self.name, what)
+
+    def ids(self, *keys: str) -> tuple[str, ...]:
+        """Ids of claims about this load case: ``quartic.levels`` is ``quartic.<name>.levels``."""
+        return tuple(key.replace(".", f".{self.name}.", 1) for key in keys)
 
     def domain(self, **ranges: tuple[Expr, Expr]) -> Domain:
         """Positive parameters; further ranges by the name of the symbol, after them."""

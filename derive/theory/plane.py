@@ -85,24 +85,31 @@ def _project(equilibrium: Any, domain: Domain, book: Notebook) -> Expr:
     # exsl9: the curvature vector d₃ × d₃′ has only one component, θ′.
     bent = domain.with_range(theta_s, 0, 1).with_range(theta_ss, 0, 1)
     kappa = _at(d3.cross(d3.diff(s)))
-    book.claim(
-        "plane.curvature", "d₃ × d₃′ = θ′ e_x", Equal(kappa, Matrix([theta_s, 0, 0])), domain=bent, source="exsl9"
-    )
+    only_x = Equal(kappa, Matrix([theta_s, 0, 0]))
+    rests: tuple[str, ...] = ("frame.binormal", "plane.inextensible")
+    book.claim("plane.curvature", "d₃ × d₃′ = θ′ e_x", only_x, domain=bent, steps=rests, source="exsl9")
     # exsl9a, exsl10: y″ = −κ_x z′, and its square by inextensibility.
     y_ss, z_s = _at(d3[1].diff(s)), _at(d3[2])
-    book.claim("plane.bending", "y″ = −κ_x z′", Equal(y_ss, -kappa[0] * z_s), domain=bent, source="exsl9a")
-    squared = kappa[0] ** 2 * (1 - _at(d3[1]) ** 2)
-    book.claim("plane.bending_squared", "(y″)² = κ_x²(1 − y′²)", Equal(y_ss**2, squared), domain=bent, source="exsl10")
+    bending = Equal(y_ss, -kappa[0] * z_s)
+    book.claim("plane.bending", "y″ = −κ_x z′", bending, domain=bent, steps=("plane.curvature",), source="exsl9a")
+    squared = Equal(y_ss**2, kappa[0] ** 2 * (1 - _at(d3[1]) ** 2))
+    rests = ("plane.bending", "plane.inextensible")
+    title = "(y″)² = κ_x²(1 − y′²)"
+    book.claim("plane.bending_squared", title, squared, domain=bent, steps=rests, source="exsl10")
     # exsl6 in components: the one along x is linear in θ″, the others vanish.
     moment = _at(equilibrium.residual(d3, force, e).doit()).expand()
     factor = trigsimp(diff(moment[0], theta_ss))
     acceleration = book.show("θ″", cancel(-moment[0].subs(theta_ss, 0) / factor))
     balance = Equal(moment.subs(theta_ss, acceleration), zeros(3, 1))
-    book.claim("plane.moment", "with this θ″ the moments balance", balance, domain=bent, source="exsl6")
+    rests = ("equilibrium.residual", "equilibrium.twist", "plane.curvature")
+    title = "with this θ″ the moments balance"
+    book.claim("plane.moment", title, balance, domain=bent, steps=rests, source="exsl6")
     # The same by varying ½θ′² + ψ(w) − β cos θ, with w the cosine of the angle from the field to d₃.
     energy = equilibrium.energy_density.subs(equilibrium.alignment, cos(theta - alpha))
     varied = diff(energy - beta * cos(theta), theta)
-    book.claim("plane.variation", "θ″ makes the energy stationary", Equal(acceleration, varied), domain=domain)
+    rests = ("equilibrium.energy", "plane.moment")
+    title = "θ″ makes the energy stationary"
+    book.claim("plane.variation", title, Equal(acceleration, varied), domain=domain, steps=rests)
     return acceleration
 
 
@@ -125,11 +132,13 @@ def _first_integral(acceleration: Expr, w: Symbol, energy: Expr, domain: Domain,
     along = curvature_squared.subs({xi: cos(theta), w: cos(theta - alpha)})
     domain = domain.with_range(gamma, 0, 1)
     back = Equal(diff(along, theta), 2 * acceleration)
-    book.claim("plane.first_integral", "κ_x² differentiates back to 2θ″", back, domain=domain, source="exsl8")
+    title, rests = "κ_x² differentiates back to 2θ″", ("plane.curvature", "plane.moment")
+    book.claim("plane.first_integral", title, back, domain=domain, steps=rests, source="exsl8")
     levels = gamma - 2 * beta * xi + 2 * energy
     domain = domain.with_range(xi, 0, 1).with_range(w, 0, 1)
     conserved = Equal(curvature_squared, levels)
-    book.claim("plane.energy", "κ_x² by conservation of energy", conserved, domain=domain, source="exsl8")
+    title, rests = "κ_x² by conservation of energy", ("plane.first_integral", "plane.variation")
+    book.claim("plane.energy", title, conserved, domain=domain, steps=rests, source="exsl8")
     return curvature_squared
 
 
@@ -146,7 +155,7 @@ def _square(acceleration: Expr, curvature_squared: Expr, w: Symbol, domain: Doma
         "half the derivative of (y″)² along y′ is y‴",
         relation,
         domain=domain.with_range(gamma, 0, 1),
-        steps=("plane.first_integral", "plane.bending_squared"),
+        steps=("plane.first_integral", "plane.bending_squared", "plane.moment"),
         source="exsl11",
     )
     return square
@@ -162,19 +171,30 @@ def _units(acceleration: Expr, parameters: tuple[Symbol, ...], domain: Domain, b
     barred = {q: q / (length**m * force**n * current**i) for q, (m, n, i) in exponents.items()}
     positive = Domain(dict.fromkeys((A, inertia, E, mu_0, F, h_a, k, s, susceptibility), (0, oo)))
 
-    def claim(name: str, title: str, left: Expr, right: Expr, where: Domain = positive) -> None:
-        book.claim(f"plane.units_{name}", title, Equal(left, right), domain=where, source="exsl7")
+    def claim(name: str, title: str, left: Expr, right: Expr, *rests: str, where: Domain = positive) -> None:
+        book.claim(f"plane.units_{name}", title, Equal(left, right), domain=where, steps=rests, source="exsl7")
 
     claim("curvature", "an angle, curvature times length, has no unit", barred[k] * barred[s], k * s)
     claim("stiffness", "the bending stiffness becomes 1", barred[E] * barred[inertia], Integer(1))
     claim("permeability", "the permeability of vacuum becomes 1", barred[mu_0], Integer(1))
-    claim("force", "β of the bars is the force of the bars", barred[beta].subs(beta, F / (E * inertia)), barred[F])
+    # exsl5, exsl6: β and η are the force and the couple modulus over EI.
+    claim(
+        "force",
+        "β of the bars is the force of the bars",
+        barred[beta].subs(beta, F / (E * inertia)),
+        barred[F],
+        "plane.units_stiffness",
+        "equilibrium.residual",
+    )
     couple = A * mu_0 * susceptibility * h_a**2 / (E * inertia)
     claim(
         "field",
         "η is made of the bars as it was",
         barred[eta].subs(eta, couple),
         couple.subs(barred, simultaneous=True),
+        "plane.units_stiffness",
+        "plane.units_permeability",
+        "equilibrium.energy",
     )
     # θ″ carries the unit 1/length², as β and η do: the equation keeps its form.
     scale = {q: barred[q] for q in (beta, *parameters)}
@@ -185,7 +205,10 @@ def _units(acceleration: Expr, parameters: tuple[Symbol, ...], domain: Domain, b
         "the equation keeps its form",
         same,
         acceleration * (s / barred[s]) ** 2,
-        lengths.with_range(s, 0, oo),
+        "plane.moment",
+        "plane.units_force",
+        "plane.units_field",
+        where=lengths.with_range(s, 0, oo),
     )
     return barred
 

@@ -18,14 +18,6 @@ from .symbols import alpha, beta, gamma, gamma_bar, theta, xi
 
 __all__ = ["LoadCase", "NotElliptic", "derive", "xi_tip"]
 
-# Where the article writes f, the roots, and the boundary condition of each case.
-SOURCES = {
-    "parallel": ("exsl13", "exsl14", "exsl23"),
-    "orthogonal": ("exhpf2", "exhpf3", "exhpf12"),
-    "field_only": ("slch1", "slch2", "slch3"),
-    "force_only": ("slch4", "slch4", "slch6"),
-}
-
 
 def derive(plane: Plane, book: Notebook) -> Mapping[str, LoadCase]:
     """All load cases that the energy makes elliptic; NotElliptic if the parallel one is not."""
@@ -131,37 +123,47 @@ def _claim_polynomial(case: LoadCase, book: Notebook) -> None:
     at, any_constant = {xi: cos(theta)}, {case.constant.name: (0, 1)}
     second = -cos(theta) * case.f_hat.subs(at) - sin(theta) * case.angular_acceleration
     motion = Equal(diff(case.f, xi).subs(at) / 2, second)
-    where, source = case.domain(theta=(0, pi), **any_constant), SOURCES[case.name][0]
-    book.claim(f"quartic.{case.name}.motion", "½f′ is ξ″", motion, domain=where, source=source)
+    where, name = case.domain(theta=(0, pi), **any_constant), f"quartic.{case.name}"
+    source = case.source("quartic")
+    steps: tuple[str, ...] = ("plane.square", "plane.moment")
+    book.claim(f"{name}.motion", "½f′ is ξ″", motion, domain=where, steps=steps, source=source)
     where = case.domain(xi=COSINES, **any_constant)
     shape = Equal(case.f_hat, case.f_hat.subs(xi, 0) - 2 * case.force * xi - case.stiffness * xi**2)
-    book.claim(f"quartic.{case.name}.levels", "f̂ = Γ − 2Bξ − Hξ²", shape, domain=where, source=source)
+    steps = ("plane.first_integral",)
+    book.claim(f"{name}.levels", "f̂ = Γ − 2Bξ − Hξ²", shape, domain=where, steps=steps, source=source)
     # The two meanings of the constant: exsl8, and f̂(0) = ±(the constant).
     energy = Equal(case.f_hat, case.gamma - 2 * case.tip_force * xi - case.field_work)
-    book.claim(f"quartic.{case.name}.gamma", "f̂ = γ − 2βξ + 2ψ", energy, domain=where, source="exsl8")
-    name = f"f̂(0) is {'−γ̄' if case.constant == gamma_bar else 'γ'}"
+    steps = ("plane.first_integral", "plane.energy")
+    levels = case.source("first integral")
+    book.claim(f"{name}.gamma", "f̂ = γ − 2βξ + 2ψ", energy, domain=where, steps=steps, source=levels)
+    title = f"f̂(0) is {'−γ̄' if case.constant == gamma_bar else 'γ'}"
     start = Equal(case.f_hat.subs(xi, 0) * diff(case.f_hat, case.constant), case.constant)
-    book.claim(f"quartic.{case.name}.constant", name, start, domain=where, source=source)
+    steps = (f"{name}.levels", f"{name}.gamma")
+    book.claim(f"{name}.constant", title, start, domain=where, steps=steps, source=source)
     if case.constant == gamma_bar:
         whole = Equal(case.gamma + gamma_bar, case.field_work.subs(xi, 0))
-        book.claim(f"quartic.{case.name}.gamma_bar", "γ + γ̄ = η", whole, domain=where, source="exhpf1")
+        steps = (f"{name}.gamma", f"{name}.constant")
+        book.claim(f"{name}.gamma_bar", "γ + γ̄ = η", whole, domain=where, steps=steps, source=levels)
 
 
 def _claim_roots(case: LoadCase, book: Notebook) -> None:
     """The roots of f̂, and the boundary condition (exsl14, exsl23)."""
-    _, source, source_of_tip = SOURCES[case.name]
+    source, name = case.source("roots"), f"quartic.{case.name}"
+    levels = f"{name}.levels"
     where = case.domain(**{case.constant.name: case.ends})
-    for letter, root in zip("ab" if case.bends else "2", case.roots, strict=True):
+    for letter, root in zip(case.letters, case.roots, strict=True):
         zero = Equal(case.f_hat.subs(xi, root), 0)
         title = f"ξ_{letter} is a root of f̂"
-        book.claim(f"quartic.{case.name}.root_{letter}", title, zero, domain=where, source=source)
+        book.claim(f"{name}.root_{letter}", title, zero, domain=where, steps=(levels,), source=source)
     where = case.domain(xi_tip=COSINES, xi=COSINES)
     free = Equal(case.at_tip.subs(xi, xi_tip), 0)
-    title = "no moment at the free end"
-    book.claim(f"quartic.{case.name}.free_end", title, free, domain=where, source=source_of_tip)
+    # exsl1, exsl2: the moment is EI times the curvature, and f̂ is the square of that.
+    title, steps = "no moment at the free end", ("equilibrium.constitutive", levels)
+    book.claim(f"{name}.free_end", title, free, domain=where, steps=steps, source=case.source("free end"))
     if case.other_root is not None:
         factors = Equal(case.at_tip, -case.stiffness * (xi - xi_tip) * (xi - case.other_root))
-        book.claim(f"quartic.{case.name}.factors", "f̂ by its two roots", factors, domain=where, source=source)
+        steps = (levels, f"{name}.free_end")
+        book.claim(f"{name}.factors", "f̂ by its two roots", factors, domain=where, steps=steps, source=source)
 
 
 def main() -> None:

@@ -69,7 +69,8 @@ def _general(book: Notebook) -> tuple[Expr, Expr, Expr]:
     xi_of_s = rational.subs(u, u_o + s)
     slope = Equal(diff(y, s), xi_of_s)
     book.claim("shape.y", "y′ = ξ", slope, domain=WHERE, steps=("shape.xi",), source="exhpf15")
-    book.claim("shape.y_start", "y(0) = 0", Equal(y.subs(s, 0), 0), domain=WHERE, source="exhpf15")
+    start = Equal(y.subs(s, 0), 0)
+    book.claim("shape.y_start", "y(0) = 0", start, domain=WHERE, steps=("shape.y",), source="exhpf15")
     return xi_of_s, y, zetas
 
 
@@ -91,10 +92,12 @@ def _claim_real_slope(case: LoadCase, functions: Weierstrass, zetas: Expr, book:
     where = Domain({**WHERE.ranges, **case.domain(**{case.constant.name: case.ends}).ranges})
     squares = Equal(value**2, functions.slope_squared)
     name = f"shape.{case.name}"
-    book.claim(f"{name}.slope", "(b√H)² = ℘′(v)²", squares, domain=where, source="exsl33")
+    steps, source = case.ids("weierstrass.slope"), case.source("real slope")
+    book.claim(f"{name}.slope", "(b√H)² = ℘′(v)²", squares, domain=where, steps=steps, source=source)
     short = Equal(a - b / slope * zetas, a + zetas / sqrt(case.stiffness))
     given = ((b, functions.at_one.b), (slope, value))
-    book.claim(f"{name}.xi", "ξ by ζ with 1/√H", short, domain=where, given=given, source="exsl35")
+    steps, source = ("shape.xi", *case.ids("shape.slope", "weierstrass.solution")), case.source("xi by zeta")
+    book.claim(f"{name}.xi", "ξ by ζ with 1/√H", short, domain=where, given=given, steps=steps, source=source)
 
 
 def _linear_shape(case: LoadCase, linear: tuple[Expr, Expr], book: Notebook) -> tuple[Expr, Expr]:
@@ -103,9 +106,10 @@ def _linear_shape(case: LoadCase, linear: tuple[Expr, Expr], book: Notebook) -> 
     xi_of_s = start + rate * wp(u_o + s, g2, g3)
     y = book.show("y", start * s - rate * (wzeta(u_o + s, g2, g3) - wzeta(u_o, g2, g3)))
     where = Domain({**WHERE.ranges, **case.domain(**{case.constant.name: (1, 2)}).ranges})
-    name = f"shape.{case.name}"
-    book.claim(f"{name}.y", "y′ = ξ", Equal(diff(y, s), xi_of_s), domain=where, source="slch12")
-    book.claim(f"{name}.y_start", "y(0) = 0", Equal(y.subs(s, 0), 0), domain=where, source="slch12")
+    name, source, steps = f"shape.{case.name}", case.source("y"), case.ids("weierstrass.linear")
+    slope, at_clamp = Equal(diff(y, s), xi_of_s), Equal(y.subs(s, 0), 0)
+    book.claim(f"{name}.y", "y′ = ξ", slope, domain=where, steps=steps, source=source)
+    book.claim(f"{name}.y_start", "y(0) = 0", at_clamp, domain=where, steps=(f"{name}.y",), source=source)
     return xi_of_s, y
 
 
@@ -121,8 +125,8 @@ def _height(case: LoadCase, book: Notebook) -> Mapping[str, Expr]:
         t = (case.stiffness * xi + case.force) / sqrt(discriminant)
         where = case.domain(xi=COSINES, **{case.constant.name: case.ends})
         squares = Equal(discriminant / case.stiffness * (1 - t**2), case.f_hat)
-        source = "exhpf17" if case.name == "orthogonal" else "exsl39"
-        book.claim(f"shape.{case.name}.square", "f̂ as a square completed", squares, domain=where, source=source)
+        name, source, steps = f"shape.{case.name}.square", case.source("square completed"), case.ids("quartic.levels")
+        book.claim(name, "f̂ as a square completed", squares, domain=where, steps=steps, source=source)
         if case.bends == 1:
             found, places = {"": -asin(t) / sqrt(case.stiffness)}, {"": case.roots}
         else:
@@ -134,20 +138,27 @@ def _height(case: LoadCase, book: Notebook) -> Mapping[str, Expr]:
             for side, argument in (("above", above), ("below", below)):
                 where = case.domain(**{case.constant.name: case.ends, "xi": places[side]})
                 name = f"shape.{case.name}.branch_{side}"
-                title = "the inverse hyperbolic cosine takes a positive argument"
-                book.claim(name, title, Positive(argument), domain=where, source="exhpf18")
-    number = {"parallel": "exsl41", "field_only": "exsl41", "orthogonal": "exhpf19", "force_only": "slch14"}[case.name]
+                title, steps = "the inverse hyperbolic cosine takes a positive argument", case.ids("shape.square")
+                source = case.source("inverse cosine")
+                book.claim(name, title, Positive(argument), domain=where, steps=steps, source=source)
+    source = case.source("z")
+    rests = ("plane.bending", *case.ids("shape.square" if case.bends else "quartic.levels"))
     for side, z in found.items():
         where = case.domain(**{case.constant.name: case.ends, "xi": places[side]})
         key = f"shape.{case.name}.z_{side}".rstrip("_")
         book.show(f"z(ξ) {side}".rstrip(), z)
         slope = diff(z, xi)
         # Of κ_x = ±√f̂ this is the branch +: z falls as ξ grows.
-        book.claim(key, "(dz/dξ)² = 1/κ_x²", Equal(slope**2 * case.f_hat, 1), domain=where, source=number)
-        book.claim(f"{key}_sign", "dz/dξ < 0 with κ_x > 0", Positive(-slope), domain=where, source=number)
+        square, steps = Equal(slope**2 * case.f_hat, 1), rests
+        if case.bends == -1:
+            steps += case.ids(f"shape.branch_{side}")
+        book.claim(key, "(dz/dξ)² = 1/κ_x²", square, domain=where, steps=steps, source=source)
+        title = "dz/dξ < 0 with κ_x > 0"
+        book.claim(f"{key}_sign", title, Positive(-slope), domain=where, steps=(key,), source=source)
         # z′² = 1 − ξ² with (ξ′)² = f(ξ): the rod does not stretch.
         length = Equal(slope**2 * case.f, 1 - xi**2)
-        book.claim(f"{key}_length", "z′² = 1 − y′²", length, domain=where, source="exsl4")
+        steps, label = (key, "plane.inextensible"), case.source("inextensible")
+        book.claim(f"{key}_length", "z′² = 1 − y′²", length, domain=where, steps=steps, source=label)
     return found
 
 

@@ -40,7 +40,7 @@ def derive(cases: Mapping[str, LoadCase], functions: Mapping[str, Weierstrass], 
 def _case(case: LoadCase, functions: Weierstrass, book: Notebook) -> Tip:
     """All formulas of one load case."""
     book.say(f"Section 3, load case {case.name}: expanded at the tip")
-    writer = Writer(case, book, definitions(case), source="exhpf5" if case.name == "orthogonal" else "exsl22")
+    writer = Writer(case, book, definitions(case))
     write_tip(case, writer)
     b, c = functions.at_tip.b, functions.at_tip.c
     # e_r − c = b/(r − ξ(ℓ)); for a cubic f the fourth root is at infinity, and e_o = c.

@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from sympy import Derivative, Expr, Pow, Rational, Symbol, expand, oo, sqrt
 
@@ -48,11 +48,33 @@ class Along:
         """The integral vanishes at the tip, p = 1/q → ∞, by homogeneity of its terms."""
         return Limit(scaled(self.plain(integral)), q, q * 0, q * 0, "+")
 
-    def add(self, name: str, arguments: tuple[Symbol, ...], integral: Expr, doc: str, integrand: Expr) -> None:
-        """A formula for an integral along the rod from the tip."""
-        self.writer.add(name, arguments, integral, doc, lambda value: self.slope(value, integrand), self.domain)
+    def add(
+        self,
+        name: str,
+        arguments: tuple[Symbol, ...],
+        integral: Expr,
+        doc: str,
+        integrand: Expr,
+        *,
+        steps: Iterable[str] = (),
+        source: str,
+        gives: Symbol | None = None,
+    ) -> None:
+        """A formula for an integral along the rod from the tip; every one rests on the motion, which gives dσ/dp."""
+        self.writer.add(
+            name,
+            arguments,
+            integral,
+            doc,
+            lambda value: self.slope(value, integrand),
+            self.domain,
+            steps=("tip.motion", *steps),
+            source=source,
+            gives=gives,
+        )
         where = Domain({**self.case.domain(xi_tip=COSINES).ranges, sin_tip: (0, 1), q: (0, 1)})
-        self.writer.claim(f"{name}_tip", f"{name} is zero at the tip", self.at_start(integral), where)
+        start, title = self.at_start(integral), f"{name} is zero at the tip"
+        self.writer.claim(f"{name}_tip", title, start, where, steps=(f"tip.{name}",), source=source)
 
 
 def scaled(expression: Expr) -> Expr:

@@ -47,6 +47,8 @@ def write_arcs(case: LoadCase, at: Expansion, roots: Mapping[str, Expr], writer:
         RF(x_plus, x_minus, x_other),
         "σ, the length from the tip to the point",
         x_pole / x_pole,
+        source="length",
+        gives=arc,
     )
     # y = ∫ξ dσ with ξ = ξ(ℓ) + b/p, and ∫dσ/p = R_J/3.
     inverse = RJ(x_plus, x_minus, x_other, pole) / 3
@@ -57,6 +59,9 @@ def write_arcs(case: LoadCase, at: Expansion, roots: Mapping[str, Expr], writer:
         xi_tip * arc + strength * inverse,
         "∫cos θ dσ from the tip to the point",
         along.xi,
+        steps=("tip.pole", "tip.pole_strength"),
+        source="y",
+        gives=y_tip,
     )
     # z = ∫ sin θ dσ with sin θ = sin θ(ℓ) √x₊√x₋/p: the roots cancel, and R_C is left.
     other = x_other + writer.named(roots["other"], plus, minus)
@@ -66,6 +71,8 @@ def write_arcs(case: LoadCase, at: Expansion, roots: Mapping[str, Expr], writer:
         sin_tip * RC(x_other, other),
         "∫sin θ dσ from the tip to the point, before θ passes 0 or π",
         sin_tip * sqrt(x_plus) * sqrt(x_minus) / x_pole,
+        steps=("tip.sine", "tip.root_other"),
+        source="z",
     )
     if case.bends:
         _write_square(along, inverse, pole)
@@ -83,12 +90,16 @@ def _pole(along: Along) -> Expr:
 def _claim_motion(along: Along, pole: Expr) -> None:
     """p is what it is called, (dξ/dσ)² = f, and sin θ by half-angles."""
     writer, case = along.writer, along.case
-    writer.claim("pole", "℘ − c from the x", Equal(along.plain(pole), x_pole), along.domain)
+    sides = tuple(f"tip.root_{side}" for side in X)
+    mean = Equal(along.plain(pole), x_pole)
+    writer.claim("pole", "℘ − c from the x", mean, along.domain, steps=sides, source="none")
     speed = (diff(along.xi, x_pole) / along.plain(along.rate)) ** 2
     moves = Equal(speed, (case.at_tip * (1 - xi**2)).subs(xi, along.xi))
-    writer.claim("motion", "(dξ/dσ)² = f(ξ)", moves, along.domain)
+    steps = ("quartic.motion", "weierstrass.at_tip", "tip.pole_strength", *sides)
+    writer.claim("motion", "(dξ/dσ)² = f(ξ)", moves, along.domain, steps=steps, source="motion")
     sine = along.plain(plus * minus * x_plus * x_minus / x_pole**2)
-    writer.claim("sine", "1 − ξ² by x₊ and x₋", Equal(sine, 1 - along.xi**2), along.domain)
+    half_angles, steps = Equal(sine, 1 - along.xi**2), ("tip.pole_strength", *sides[:2])
+    writer.claim("sine", "1 − ξ² by x₊ and x₋", half_angles, along.domain, steps=steps, source="none")
 
 
 def _write_angle(along: Along) -> None:
@@ -103,9 +114,11 @@ def _write_angle(along: Along) -> None:
         "tan²(θ/2) at the point",
         lambda value: Equal(along.plain((1 - value) / (1 + value)), along.xi),
         along.domain,
+        steps=("tip.pole_strength", "tip.root_plus", "tip.root_minus"),
+        source="angle",
     )
     # θ = 2 arctan √(tan²(θ/2)) on the branch from θ(ℓ): its square speed is f̂.
-    angle = writer.add(
+    writer.add(
         "angle",
         (plus, minus, x_plus, x_minus),
         2 * atan(sqrt(tangent)),
@@ -114,8 +127,9 @@ def _write_angle(along: Along) -> None:
             (diff(along.plain(value), x_pole) / along.plain(along.rate)) ** 2, along.case.at_tip.subs(xi, along.xi)
         ),
         along.domain,
+        steps=("tip.half_angle_squared", "tip.motion", "tip.curvature_squared"),
+        source="angle",
     )
-    del angle
 
 
 def _write_square(along: Along, inverse: Expr, pole: Expr) -> None:
@@ -145,6 +159,9 @@ def _write_square(along: Along, inverse: Expr, pole: Expr) -> None:
         integral,
         f"−2∫ψ dσ = ∫({work}) dσ from the tip to the point",
         work.subs(xi, along.xi),
+        steps=("tip.pole", "tip.pole_strength", *(f"tip.root_{side}" for side in X), "quartic.gamma"),
+        source="reduction",
+        gives=square,
     )
 
 
@@ -163,4 +180,6 @@ def _write_energy(case: LoadCase, writer: Writer) -> None:
         "energy of the rod over EI: bending, field and force",
         lambda value: Equal(value.subs(local), density),
         case.domain(xi=COSINES, **{case.constant.name: (0, 1)}),
+        steps=("plane.energy", "quartic.gamma"),
+        source="first integral",
     )

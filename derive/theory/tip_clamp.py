@@ -26,6 +26,8 @@ def write_clamp(writer: Writer) -> None:
     meaning[side] = meaning[drive].subs(xi_tip, -1)
     meaning[clamp_drive] = meaning[drive].subs(xi_tip, xi)
     meaning[clamp_gap] = meaning[gap].subs(xi_tip, xi)
+    # What holds at the tip holds at the clamp by another name.
+    writer.proved[clamp_drive], writer.proved[clamp_gap] = writer.proved[drive], writer.proved[gap]
     _write_offsets(writer, stiffness)
     _write_differences(writer, stiffness)
 
@@ -45,6 +47,9 @@ def _write_offsets(writer: Writer, stiffness: Expr) -> None:
         expand(meaning[side]),
         "θ″/sin θ towards θ = π",
         lambda value: Equal(2 * value, -diff(case.at_tip, xi).subs(xi, -1)),
+        steps=("tip.tip_drive", "quartic.levels"),
+        source="moment",
+        gives=side,
     )
     writer.add(
         "moment_from_side",
@@ -53,6 +58,8 @@ def _write_offsets(writer: Writer, stiffness: Expr) -> None:
         "θ″/sin θ at the angle with offset 1 + cos θ",
         turns,
         where,
+        steps=("plane.moment", "tip.tip_drive"),
+        source="moment",
     )
     writer.add(
         "moment_from_top",
@@ -61,6 +68,8 @@ def _write_offsets(writer: Writer, stiffness: Expr) -> None:
         "θ″/sin θ at the angle with offset 1 − cos θ",
         turns,
         where,
+        steps=("plane.moment", "tip.tip_drive"),
+        source="moment",
     )
     writer.add(
         "gap_from_side",
@@ -68,6 +77,8 @@ def _write_offsets(writer: Writer, stiffness: Expr) -> None:
         -2 * side - stiffness * plus,
         "−f̂(−1)/(1 + ξ(ℓ)) from the offset 1 + ξ(ℓ)",
         lambda value: Equal(value * (1 + xi_tip), -case.at_tip.subs(xi, -1)),
+        steps=("quartic.levels", "quartic.free_end"),
+        source="quartic",
     )
 
 
@@ -80,6 +91,8 @@ def _write_differences(writer: Writer, stiffness: Expr) -> None:
         (level + stiffness * drop) / 2,
         "β + Hξ(ℓ) from f̂ at the clamp: the slope of f̂ at the tip is −2 times it",
         lambda value: Equal(-2 * value, diff(at_tip, xi).subs(xi, xi_tip)),
+        steps=("quartic.levels", "quartic.free_end"),
+        source="quartic",
     )
     writer.add(
         "level_above_gap",
@@ -87,6 +100,8 @@ def _write_differences(writer: Writer, stiffness: Expr) -> None:
         stiffness * one_plus - gap,
         "f̂(ξ)/(ξ(ℓ) − ξ) of an orbit that passes −1",
         lambda value: Equal(value * (xi_tip - xi), at_tip),
+        steps=("tip.point_level",),
+        source="quartic",
     )
     writer.add(
         "rising_level",
@@ -94,6 +109,8 @@ def _write_differences(writer: Writer, stiffness: Expr) -> None:
         2 * clamp_drive + stiffness * drop,
         "f̂(ξ)/(ξ(ℓ) − ξ) of a tip near the clamp angle",
         lambda value: Equal(value * (xi_tip - xi), at_tip),
+        steps=("tip.point_level",),
+        source="quartic",
     )
     writer.add(
         "gap_below",
@@ -101,6 +118,8 @@ def _write_differences(writer: Writer, stiffness: Expr) -> None:
         clamp_gap - stiffness * drop,
         "−f̂(−1)/(1 + ξ(ℓ)) of an orbit that passes −1",
         lambda value: Equal(value * (1 + xi_tip), -at_tip.subs(xi, -1)),
+        steps=("quartic.levels", "quartic.free_end"),
+        source="quartic",
     )
     if stiffness != 0:
         writer.add(
@@ -109,6 +128,8 @@ def _write_differences(writer: Writer, stiffness: Expr) -> None:
             (clamp_gap - gap) / stiffness,
             "ξ(ℓ) − ξ of an orbit that just passes −1",
             lambda value: Equal(value * writer.meaning[level], at_tip),
+            steps=("tip.point_level",),
+            source="quartic",
         )
         writer.add(
             "drop_at_level",
@@ -116,4 +137,6 @@ def _write_differences(writer: Writer, stiffness: Expr) -> None:
             (level - 2 * clamp_drive) / stiffness,
             "ξ(ℓ) − ξ of an orbit that turns near the clamp",
             lambda value: Equal(value * writer.meaning[level], at_tip),
+            steps=("tip.point_level",),
+            source="quartic",
         )

@@ -6,7 +6,7 @@ from sympy import Poly, cos, diff, expand, sin
 
 from .claims import Equal
 from .load_case import COSINES, LoadCase, xi_tip
-from .symbols import beta, eta, gamma_bar, theta, xi
+from .symbols import beta, eta, gamma, gamma_bar, theta, xi
 from .tip_names import Writer, drive, drop, gap, level, minus
 
 
@@ -23,6 +23,9 @@ def write_tip(case: LoadCase, writer: Writer) -> None:
         "θ″(ℓ)/sin θ(ℓ): how fast the curvature leaves zero at the tip",
         lambda value: Equal(value.subs(at_tip), turning),
         where,
+        steps=("plane.moment", "quartic.free_end"),
+        source="moment",
+        gives=drive,
     )
     writer.add(
         "tip_gap",
@@ -30,6 +33,9 @@ def write_tip(case: LoadCase, writer: Writer) -> None:
         writer.named(meaning[gap], minus),
         "−f̂(−1)/(1 + ξ(ℓ)): its sign tells whether the orbit stops before ξ = −1",
         lambda value: Equal(value * (1 + xi_tip), -case.at_tip.subs(xi, -1)),
+        steps=("quartic.levels", "quartic.free_end"),
+        source="quartic",
+        gives=gap,
     )
     constant = {case.constant: case.tip_constant}
     writer.add(
@@ -38,6 +44,9 @@ def write_tip(case: LoadCase, writer: Writer) -> None:
         expand(case.gamma.subs(constant)),
         "γ of the first integral, such that the curvature vanishes at the tip",
         lambda value: Equal(value, 2 * case.tip_force * xi_tip + case.field_work.subs(xi, xi_tip)),
+        steps=("quartic.free_end", "quartic.gamma"),
+        source="free end",
+        gives=gamma,
     )
     if case.constant == gamma_bar:
         writer.add(
@@ -46,6 +55,8 @@ def write_tip(case: LoadCase, writer: Writer) -> None:
             case.tip_constant,
             "γ̄ = η − γ of the first integral",
             lambda value: Equal(case.f_hat.subs(xi, xi_tip).subs(gamma_bar, value), 0),
+            steps=("quartic.free_end", "quartic.gamma_bar"),
+            source="free end",
         )
     height = meaning[level]
     slope = diff(height, xi)
@@ -56,6 +67,9 @@ def write_tip(case: LoadCase, writer: Writer) -> None:
         rest + slope * (xi + xi_tip),
         "f̂(ξ)/(ξ(ℓ) − ξ)",
         lambda value: Equal(value * (xi_tip - xi), case.at_tip),
+        steps=("quartic.levels", "quartic.free_end"),
+        source="quartic",
+        gives=level,
     )
     squared = writer.named(case.at_tip, drop, level)
     along = {xi: cos(theta)}
@@ -66,8 +80,12 @@ def write_tip(case: LoadCase, writer: Writer) -> None:
         "θ′², the square of the curvature: f̂(ξ)",
         lambda value: Equal(diff(value.subs(meaning).subs(along), theta), 2 * case.angular_acceleration),
         case.domain(theta=(0, 3), xi_tip=COSINES),
+        steps=("plane.first_integral", "quartic.gamma"),
+        source="first integral",
     )
-    writer.claim("free_end", "the curvature vanishes at the tip", Equal(squared.subs(meaning).subs(xi, xi_tip), 0))
+    free = Equal(squared.subs(meaning).subs(xi, xi_tip), 0)
+    steps = ("tip.curvature_squared", "quartic.free_end")
+    writer.claim("free_end", "the curvature vanishes at the tip", free, steps=steps, source="free end")
 
 
 def write_directions(case: LoadCase, writer: Writer) -> None:
@@ -80,6 +98,8 @@ def write_directions(case: LoadCase, writer: Writer) -> None:
             expand(case.vertex),
             "cos θ at which force and field balance, θ″ = 0, off the straight directions",
             lambda value: Equal(diff(case.f_hat, xi).subs(xi, value), 0),
+            steps=("quartic.levels", "quartic.motion"),
+            source="at double root",
         )
         writer.add(
             "cos_level",
@@ -87,6 +107,8 @@ def write_directions(case: LoadCase, writer: Writer) -> None:
             expand(mate.subs(xi_tip, -1)),
             "cos θ of the tip whose orbit has its other turning point at −1",
             lambda value: Equal(case.at_tip.subs(xi_tip, value).subs(xi, -1), 0),
+            steps=("quartic.factors",),
+            source="none",
         )
         writer.add(
             "cos_other",
@@ -94,6 +116,8 @@ def write_directions(case: LoadCase, writer: Writer) -> None:
             mate.subs(xi_tip, xi),
             "ξ_o, the other root of f̂ when ξ is one",
             lambda value: Equal(case.at_tip.subs(xi, value.subs(xi, xi_tip)), 0),
+            steps=("quartic.factors",),
+            source="roots",
         )
     # θ = θ₀ + h with sin θ₀ = 0: h″ = (dθ″/dθ)h.
     slope = Poly(expand(-diff(case.angular_acceleration, theta)), sin(theta))
@@ -106,4 +130,6 @@ def write_directions(case: LoadCase, writer: Writer) -> None:
         "the coefficient k of h″ + kh = 0 for small rotations h of a straight rod, cos θ = ξ = ±1",
         lambda value: Equal(value.subs(xi, cos(theta)), -second),
         case.domain(theta=(0, 3)),
+        steps=("plane.moment", "quartic.motion"),
+        source="none",
     )

@@ -87,24 +87,48 @@ def _tidy(value: Expr, names: tuple[Symbol, ...]) -> Expr:
 
 @dataclass
 class Writer:
-    """Collects the formulas of one load case, each with the claim that stands for it."""
+    """Collects the formulas of one load case, each with the claim that stands for it.
+
+    meaning: what the names stand for. proved: the claim that says so, for the names that have one.
+    """
 
     case: LoadCase
     book: Notebook
     meaning: dict[Symbol, Expr]
     formulas: list[Formula] = field(default_factory=list)
-    source: str = ""
+    proved: dict[Symbol, str] = field(default_factory=dict)
 
     @property
     def domain(self) -> Domain:
         """Any tip and any point."""
         return self.case.domain(xi_tip=COSINES, xi=COSINES)
 
-    def claim(self, key: str, title: str, relation: Relation, domain: Domain | None = None) -> str:
-        """Assert a relation, with the names given their meaning."""
-        found = f"tip.{self.case.name}.{key}"
-        given = tuple(self.meaning.items())
-        self.book.claim(found, title, relation, domain=domain or self.domain, given=given, source=self.source)
+    def claim(
+        self,
+        key: str,
+        title: str,
+        relation: Relation,
+        domain: Domain | None = None,
+        *,
+        steps: Iterable[str],
+        source: str,
+    ) -> str:
+        """Assert a relation, with the names given their meaning.
+
+        steps: ids of the claims it rests on, or their keys ``section.key`` in this load case. source: a key of
+        ``SOURCES``.
+        """
+        (found,) = self.case.ids(f"tip.{key}")
+        rests = dict.fromkeys(step if step in self.book.claims else self.case.ids(step)[0] for step in steps)
+        self.book.claim(
+            found,
+            title,
+            relation,
+            domain=domain or self.domain,
+            given=tuple(self.meaning.items()),
+            steps=rests,
+            source=self.case.source(source),
+        )
         return found
 
     def add(
@@ -115,15 +139,27 @@ class Writer:
         doc: str,
         property: Callable[[Expr], Relation],
         domain: Domain | None = None,
+        *,
+        steps: Iterable[str],
+        source: str,
+        gives: Symbol | None = None,
     ) -> Expr:
-        """Record a formula and claim the property that defines it; parameters that the case lacks are no arguments."""
+        """Record a formula and claim the property that defines it; parameters that the case lacks are no arguments.
+
+        steps, source: as for ``claim``; the claims that stand for the names in the expression are added. gives: the
+        name whose value this is.
+        """
         kept = [a for a in arguments if a not in (beta, eta) or a in self.case.parameters]
         others = sorted(expression.free_symbols & set(self.case.parameters) - set(kept), key=lambda p: p.name)
         strange = expression.free_symbols - set(kept) - set(others)
         if strange:
             raise ValueError(f"{self.case.name}: the formula {name} holds {strange}, which are not among its arguments")
-        claim = self.claim(name, doc, property(expression), domain)
-        formula = Formula(name, (*kept, *others), expression, claim, doc, self.case.name, self.source)
+        named = (self.proved[a] for a in kept if a in self.proved and expression.has(a))
+        claim = self.claim(name, doc, property(expression), domain, steps=(*steps, *named), source=source)
+        if gives is not None:
+            self.proved[gives] = claim
+        label = self.case.source(source)
+        formula = Formula(name, (*kept, *others), expression, claim, doc, self.case.name, label)
         self.formulas.append(formula)
         return self.book.show(f"{name}({', '.join(a.name for a in formula.arguments)})", expression)
 

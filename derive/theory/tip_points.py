@@ -25,6 +25,8 @@ def write_roots(case: LoadCase, functions: Weierstrass, roots: Mapping[str, Expr
         named(b, plus, minus, drive),
         "b = f′(ξ(ℓ))/4: ξ = ξ(ℓ) + b/(℘ − c)",
         lambda value: Equal(4 * value, slope),
+        steps=("weierstrass.at_tip", "quartic.free_end"),
+        source="strength",
     )
     at_tip = {case.constant: case.tip_constant}
     g2, g3 = functions.g2.subs(at_tip), functions.g3.subs(at_tip)
@@ -39,12 +41,18 @@ def write_roots(case: LoadCase, functions: Weierstrass, roots: Mapping[str, Expr
             named(value, *names),
             f"the half-period value e_{side} less c",
             lambda e: Equal(4 * (e + c) ** 3 - g2 * (e + c) - g3, 0),
+            steps=("weierstrass.at_tip",),
+            source="expansion",
         )
         # ... and the one at which ξ is 1, −1 or ξ_o.
         root = SIGNS.get(side, case.other_root)
         if root is not None:
             there = Equal(written[side] * (root - xi_tip), b)
-            writer.claim(f"root_{side}_place", f"ξ = {root} where ℘ = e_{side}", there)
+            steps = [f"tip.root_{side}", "tip.pole_strength"]
+            if side == "other":
+                steps.append("quartic.factors")
+            title = f"ξ = {root} where ℘ = e_{side}"
+            writer.claim(f"root_{side}_place", title, there, steps=steps, source="expansion")
     pairs = {
         "gap_minus_plus": ("minus", "plus", (drive,)),
         "gap_other_plus": ("other", "plus", (beta, eta, plus)),
@@ -58,6 +66,8 @@ def write_roots(case: LoadCase, functions: Weierstrass, roots: Mapping[str, Expr
             named(cancel(roots[one] - roots[two]), *names),
             f"e_{one} − e_{two}",
             _step(written[two], written[one]),
+            steps=(f"tip.root_{one}", f"tip.root_{two}"),
+            source="none",
         )
 
 
@@ -77,6 +87,8 @@ def write_points(case: LoadCase, b: Expr, roots: Mapping[str, Expr], writer: Wri
             named(cancel(pole - roots[side]), *names),
             f"x_{side} = ℘ − e_{side} at the point where cos θ = ξ",
             _above(roots[side], b),
+            steps=(f"tip.root_{side}", "tip.pole_strength"),
+            source="solution",
         )
     strength = writer.add(
         "point_pole",
@@ -84,11 +96,14 @@ def write_points(case: LoadCase, b: Expr, roots: Mapping[str, Expr], writer: Wri
         named(cancel(pole), plus, minus, drive, drop),
         "x_pole = ℘ − c at the point where cos θ = ξ",
         lambda value: Equal(xi_tip + b / value, xi),
+        steps=("tip.pole_strength",),
+        source="solution",
     )
     # ℘′² = 4 x₊x₋x_o = (d℘/dξ)² f(ξ): σ runs along the rod.
     cubic = 4 * written["plus"] * written["minus"] * written["other"]
     speed = diff(strength.subs(writer.meaning), xi) ** 2 * case.at_tip * (1 - xi**2)
-    writer.claim("speed", "℘′² at a point of the rod", Equal(cubic, speed))
+    steps = (*(f"tip.point_{side}" for side in (*written, "pole")), "quartic.motion")
+    writer.claim("speed", "℘′² at a point of the rod", Equal(cubic, speed), steps=steps, source="substituted")
     # At the tip all of them are infinite, and the lengths start from zero.
     # On one side of the vertex b is of one sign.
     falls = COSINES if not case.bends else (case.vertex, 1) if case.bends == 1 else (COSINES[0], case.vertex)
@@ -96,7 +111,8 @@ def write_points(case: LoadCase, b: Expr, roots: Mapping[str, Expr], writer: Wri
     for side, value in (*written.items(), ("pole", strength)):
         small = cancel(1 / value.subs(writer.meaning))
         zero = Limit(small, xi, xi_tip, Integer(0), "+-")
-        writer.claim(f"point_{side}_tip", f"x_{side} is infinite at the tip", zero, falling)
+        steps, title = (f"tip.point_{side}",), f"x_{side} is infinite at the tip"
+        writer.claim(f"point_{side}_tip", title, zero, falling, steps=steps, source="solution")
 
 
 def _step(below: Expr, above: Expr) -> Callable[[Expr], Equal]:

@@ -46,24 +46,29 @@ def uo_cases(
     found = {1: _bending, 0: _without_field, -1: _straightening}[case.bends](case)
     for number, one in enumerate(found, start=1):
         name = f"weierstrass.{case.name}.start_{number}"
-        source = "exhpf12" if case.name == "orthogonal" else "exsl31"
+        source = case.source("start")
+        rests = case.ids("weierstrass.roots") if case.bends else case.ids("weierstrass.linear", "quartic.free_end")
         to_tip = {case.constant: case.tip_constant}
         values = [value_at(root).subs(to_tip) for root in one.roots]
         for half_period, value in zip(HALF_PERIODS, values, strict=True):
             root = Equal(cubic(value).subs(to_tip), 0)
             title = f"{one.condition}: ℘ at {half_period}"
-            book.claim(f"{name}_{half_period}", title, root, domain=one.domain, source=source)
+            book.claim(f"{name}_{half_period}", title, root, domain=one.domain, steps=rests, source=source)
         # Down the real values of ℘ on the rectangle: ℘(ω₁) > ℘(ω₂) > ℘(ω₃), with ℘(v) on its segment.
         if pole is not None:
             values.insert(PLACES[one.pole], pole.subs(to_tip))
+        rests = tuple(f"{name}_{half_period}" for half_period in HALF_PERIODS)
+        if pole is not None:
+            rests += case.ids("weierstrass.slope")
         steps = [above - below for above, below in pairwise(values)]
         for place, step in enumerate(steps, start=1):
             title = f"{one.condition}: the order of the half-period values and ℘(v)"
             order = Positive(factor(step))
-            book.claim(f"{name}_order_{place}", title, order, domain=one.domain, source=source)
+            book.claim(f"{name}_order_{place}", title, order, domain=one.domain, steps=rests, source=source)
         whole = Equal(sum(steps, start=values[-1]), values[0])
         title = f"{one.condition}: the steps lead from the first to the last"
-        book.claim(f"{name}_whole", title, whole, domain=one.domain, source=source)
+        rests = tuple(f"{name}_order_{place}" for place, _ in enumerate(steps, start=1))
+        book.claim(f"{name}_whole", title, whole, domain=one.domain, steps=rests, source=source)
         book.say(f"{one.condition}: ξ(ℓ) = {one.value}, u_o = {one.half_period} − ℓ")
     return tuple(found)
 

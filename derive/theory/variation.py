@@ -123,7 +123,7 @@ def claim_elastic(balance: Balance, delta_mu: Matrix, delta_M: Matrix, delta_psi
         "variation.elastic",
         "the strain energy changes by the work of the moment, integrated by parts",
         Equal(delta_psi, M.dot(TURN).diff(s) - along(M, rod.frame.kappa).dot(TURN)),
-        steps=["variation.moment"],
+        steps=["variation.strain_energy", "variation.moment"],
         source="elmr5",
     )
 
@@ -187,6 +187,7 @@ def claim_lagrange(balance: Balance, book: Notebook) -> None:
             Matrix.vstack(*(R.diff(angle) for angle in angles)),
             Matrix.vstack(*(R * Matrix.hstack(*(axes[:, i].cross(d) for d in (e1, e2, e3))) for i in range(3))),
         ),
+        steps=["frame.curvature"],
         source="elmr3",
     )
     force, e = vector("F"), vector("e")

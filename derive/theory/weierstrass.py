@@ -8,11 +8,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from sympy import Expr, Integer, Poly, Rational, Symbol, cancel, diff, expand, factor, oo, symbols
+from sympy import Expr, Integer, Matrix, Poly, Rational, Symbol, cancel, diff, expand, factor, oo, symbols
 
 from .claims import Domain, Equal, Limit, Notebook
-from .functions import wp
+from .functions import wp, wp_prime
 from .load_case import COSINES, LoadCase, xi_tip
+from .quartic_range import kinds
 from .symbols import u, xi
 from .uo_cases import UoCase, uo_cases
 
@@ -53,17 +54,10 @@ class Weierstrass:
     uo_cases: tuple[UoCase, ...]
 
 
-SOURCES = {
-    "parallel": ("exsl18", "exsl21", "exsl29"),
-    "orthogonal": ("exhpf6", "exhpf7", "exhpf11"),
-    "field_only": ("exsl18", "exsl21", "exsl29"),
-    "force_only": ("slch7", "slch10", "slch7"),
-}
-
-
 def derive(cases: Mapping[str, LoadCase], book: Notebook) -> Mapping[str, Weierstrass]:
     """The elliptic functions of all load cases."""
     book.say("Section 3. The substitution that leads to the Weierstrass function")
+    _claim_derivatives(book)
     _claim_substitution(book)
     return {name: _case(case, book) for name, case in cases.items()}
 
@@ -81,6 +75,16 @@ def resolvent(f: Expr, at: Expansion) -> Expr:
     return 4 * shift**3 + 12 * at.c * shift**2 + cubic / 6 * at.b * shift + quartic / 24 * at.b**2
 
 
+def _claim_derivatives(book: Notebook) -> None:
+    """℘″ = 6℘² − g₂/2 against the derivative of ℘′² = 4℘³ − g₂℘ − g₃, for any invariants."""
+    g2, g3 = symbols("g2 g3", real=True)
+    value = wp(u, g2, g3)
+    squares = Equal(diff(wp_prime(u, g2, g3) ** 2, u), diff(4 * value**3 - g2 * value - g3, u))
+    where = Domain({g2: (3, 4), g3: (Rational(1, 4), Rational(1, 2)), u: (Rational(1, 5), Rational(2, 5))})
+    title = "℘″ is the one that the differential equation of ℘ gives"
+    book.claim("weierstrass.second_derivative", title, squares, domain=where, source="DLMF 23.3.12")
+
+
 def _claim_substitution(book: Notebook) -> None:
     """The substitution for any quartic and any of its roots: no square is left in the resolvent."""
     a, *q = symbols("a q1:5", positive=True)
@@ -92,7 +96,8 @@ def _claim_substitution(book: Notebook) -> None:
     title = "f at ξ = a + b/(ϰ − c) is a cubic in ϰ"
     book.claim("weierstrass.resolvent", title, Equal(form, direct), domain=where, source="exsl19")
     depressed = Equal(Poly(expand(form), kappa).coeff_monomial(kappa**2), 0)
-    book.claim("weierstrass.depressed", "without a square of ϰ", depressed, domain=where, source="exsl17")
+    title, steps = "without a square of ϰ", ("weierstrass.resolvent",)
+    book.claim("weierstrass.depressed", title, depressed, domain=where, steps=steps, source="exsl17")
 
 
 def invariants(f: Expr) -> tuple[Expr, Expr]:
@@ -111,12 +116,13 @@ def _case(case: LoadCase, book: Notebook) -> Weierstrass:
     book.show("b, c at a = 1", (at_one.b, at_one.c))
     book.show("g₂, g₃", (g2, g3))
     any_constant = case.domain(**{case.constant.name: (1, 2)})
+    _claim_constants(case, at_one, any_constant, book)
     _claim_invariants(case, at_one, g2, g3, any_constant, book)
     # exsl29: the square of ℘′ where ξ is infinite.
     slope_squared = book.show("℘′(v)²", factor(expand(4 * at_one.c**3 - g2 * at_one.c - g3)))
-    source = SOURCES[case.name][2]
-    slope = Equal(slope_squared, case.stiffness * at_one.b**2)
-    book.claim(f"weierstrass.{case.name}.slope", "℘′(v)² = Hb²", slope, domain=any_constant, source=source)
+    slope, name = Equal(slope_squared, case.stiffness * at_one.b**2), f"weierstrass.{case.name}.slope"
+    source, steps = case.source("slope at pole"), case.ids("weierstrass.at_one", "quartic.levels")
+    book.claim(name, "℘′(v)² = Hb²", slope, domain=any_constant, steps=steps, source=source)
     _claim_limits(case, at_one, book)
     linear = _linear(case, g2, g3, book) if case.bends == 0 else None
 
@@ -135,30 +141,42 @@ def _tip_quartic(case: LoadCase) -> Expr:
     return expand(case.f.subs(case.constant, case.tip_constant))
 
 
+def _claim_constants(case: LoadCase, at: Expansion, where: Domain, book: Notebook) -> None:
+    """b and c at a = 1 by the derivatives of f̂ alone, from f = f̂(1 − ξ²)."""
+    height, slope = (diff(case.f_hat, xi, n).subs(xi, 1) for n in (0, 1))
+    found, expected = Matrix([at.b, at.c]), Matrix([-height / 2, -(height + 2 * slope) / 12])
+    title, name = "b and c at a = 1 by f̂", f"weierstrass.{case.name}.constants"
+    steps = ("weierstrass.resolvent", *case.ids("quartic.motion"))
+    book.claim(name, title, Equal(found, expected), domain=where, steps=steps, source=case.source("at one"))
+
+
 def _claim_invariants(case: LoadCase, at: Expansion, g2: Expr, g3: Expr, where: Domain, book: Notebook) -> None:
     """g₂, g₃ from the coefficients against the resolvents at 1 and ξ(ℓ), the roots, and the differential equation."""
-    name, source = case.name, SOURCES[case.name][1]
+    name, source = f"weierstrass.{case.name}", case.source("invariants")
     cubic = 4 * kappa**3 - g2 * kappa - g3
     where = where.with_range(kappa, 0, 1)
     same = Equal(resolvent(case.f, at), cubic)
-    book.claim(f"weierstrass.{name}.at_one", "the resolvent at a = 1", same, domain=where, source=source)
+    steps = ("weierstrass.resolvent", "weierstrass.depressed", *case.ids("quartic.motion"))
+    book.claim(f"{name}.at_one", "the resolvent at a = 1", same, domain=where, steps=steps, source=source)
     f, tip = _tip_quartic(case), case.domain(xi_tip=COSINES).with_range(kappa, 0, 1)
     to_tip = (case.constant, case.tip_constant)
     same = Equal(resolvent(f, expansion(f, xi_tip)), cubic.subs(*to_tip))
-    book.claim(f"weierstrass.{name}.at_tip", "the resolvent at a = ξ(ℓ)", same, domain=tip, source=source)
+    steps += case.ids("quartic.free_end")
+    book.claim(f"{name}.at_tip", "the resolvent at a = ξ(ℓ)", same, domain=tip, steps=steps, source=source)
     # The three other roots are the half-period values: 4ϰ³ − g₂ϰ − g₃ = 4(ϰ − e₁)(ϰ − e₂)(ϰ − e₃).
     if case.other_root is not None:
         product = Integer(4)
         for root in (Integer(-1), xi_tip, case.other_root):
             product = product * (kappa - at.value_at(root).subs(*to_tip))
         roots = Equal(product, cubic.subs(*to_tip))
-        book.claim(f"weierstrass.{name}.roots", "e₁, e₂, e₃ from the roots of f", roots, domain=tip, source=source)
+        title, steps = "e₁, e₂, e₃ from the roots of f", case.ids("weierstrass.at_one", "quartic.factors")
+        book.claim(f"{name}.roots", title, roots, domain=tip, steps=steps, source=source)
     # exsl12 and exsl22: the function solves the equation, for any u_o.
     xi_of_u = at.xi_at(wp(u, g2, g3))
     solved = Equal(diff(xi_of_u, u) ** 2, case.f.subs(xi, xi_of_u))
     running = Domain({**where.ranges, u: (Rational(1, 10), Rational(3, 10))})
-    source = "exhpf5" if name == "orthogonal" else "exsl22"
-    book.claim(f"weierstrass.{name}.solution", "(ξ′)² = f(ξ)", solved, domain=running, source=source)
+    source, steps = case.source("solution"), case.ids("weierstrass.at_one")
+    book.claim(f"{name}.solution", "(ξ′)² = f(ξ)", solved, domain=running, steps=steps, source=source)
 
 
 def _linear(case: LoadCase, g2: Expr, g3: Expr, book: Notebook) -> tuple[Expr, Expr]:
@@ -168,8 +186,9 @@ def _linear(case: LoadCase, g2: Expr, g3: Expr, book: Notebook) -> tuple[Expr, E
     where = case.domain(**{case.constant.name: (1, 2)}).with_range(u, Rational(1, 10), Rational(3, 10))
     xi_of_u = start + rate * wp(u, g2, g3)
     solved = Equal(diff(xi_of_u, u) ** 2, case.f.subs(xi, xi_of_u))
-    title = "(ξ′)² = f(ξ) by the linear map"
-    book.claim(f"weierstrass.{case.name}.linear", title, solved, domain=where, source="slch11")
+    title, steps = "(ξ′)² = f(ξ) by the linear map", case.ids("quartic.motion", "weierstrass.at_one")
+    name = f"weierstrass.{case.name}.linear"
+    book.claim(name, title, solved, domain=where, steps=steps, source=case.source("linear"))
     return start, rate
 
 
@@ -184,9 +203,10 @@ def _claim_limits(case: LoadCase, at: Expansion, book: Notebook) -> None:
     for end, point, side, value in zip(("lower", "upper"), case.ends, "+-", values, strict=True):
         limit = Limit(at.b, case.constant, point, value, side)
         where = case.domain(**{case.constant.name: case.ends})
-        number = {"lower": ("exsl26", "exhpf9"), "upper": ("exsl27", "exhpf10")}[end][case.name == "orthogonal"]
-        title = f"b at the {end} end of the range"
-        book.claim(f"weierstrass.{case.name}.b_{end}", title, limit, domain=where, source=number)
+        title, name = f"b at the {end} end of the range", f"weierstrass.{case.name}.b_{end}"
+        steps = case.ids("weierstrass.constants", "quartic.levels", f"quartic.end_{end}")
+        source = case.source(f"at {kinds(case)[end]}")
+        book.claim(name, title, limit, domain=where, steps=steps, source=source)
 
 
 def main() -> None:
