@@ -41,15 +41,20 @@ def drift(files: Mapping[Path, str], folder: Path, *, complete: bool) -> list[st
     for path, text in sorted(files.items()):
         there = read(path)
         if there != text:
-            old, new = (there or "").splitlines(keepends=True), text.splitlines(keepends=True)
             name = path.name if path.parent == folder else f"{path.parent.name}/{path.name}"
-            lines += difflib.unified_diff(old, new, f"on disk: {name}", f"emitted: {name}")
+            lines += difference(f"on disk: {name}", there or "", f"emitted: {name}", text)
     if complete and folder.is_dir():
         for path in sorted(set(folder.glob("*.py")) - set(files)):
-            if MARK not in (read(path) or ""):
-                continue
-            lines.append(f"{path.name}: no scene emits this module; remove it or name its scene\n")
+            there = read(path) or ""
+            if MARK in there:
+                lines += difference(f"on disk: {path.name}", there, "emitted by no scene: remove it", "")
     return lines
+
+
+def difference(old_name: str, old: str, new_name: str, new: str) -> list[str]:
+    """A unified diff, every line with its end."""
+    found = difflib.unified_diff(old.splitlines(keepends=True), new.splitlines(keepends=True), old_name, new_name)
+    return [line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in found]
 
 
 def read(path: Path) -> str | None:
@@ -60,27 +65,59 @@ def read(path: Path) -> str | None:
     except FileNotFoundError:
         return None
     except OSError as error:
-        raise OutputError(f"{path}: cannot be read ({error.strerror})") from error
+        raise OutputError(f"{path}: cannot be read ({error.strerror}); choose another folder with --out") from error
 
 
 def write_all(files: Mapping[Path, str]) -> list[Path]:
-    """Write the files that differ: all are written beside their places first, then moved there."""
-    waiting: dict[Path, str] = {}
+    """Write the files that differ: all are written beside their places first, then moved there, all of them or none."""
+    waiting: dict[Path, Path] = {}
     try:
         for path, text in files.items():
             if read(path) != text:
                 path.parent.mkdir(parents=True, exist_ok=True)
-                handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-                waiting[path] = name
-                with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as stream:
-                    stream.write(text)
-                os.chmod(name, 0o644)
-        for path, name in waiting.items():
-            os.replace(name, path)
+                waiting[path] = beside(path, text.encode())
+        move_all(waiting)
     except OSError as error:
         place = error.filename or next(iter(files)).parent
         raise OutputError(f"{place}: cannot be written ({error.strerror}); choose another folder with --out") from error
     finally:
         for name in waiting.values():
-            Path(name).unlink(missing_ok=True)
+            name.unlink(missing_ok=True)
     return list(waiting)
+
+
+def beside(path: Path, content: bytes) -> Path:
+    """A file in the folder of ``path`` that holds its content to be, on disk before it takes its name."""
+    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
+    try:
+        with os.fdopen(handle, "wb") as stream:
+            stream.write(content)
+            stream.flush()
+            os.fsync(stream.fileno())
+        os.chmod(name, 0o644)
+    except BaseException:
+        Path(name).unlink(missing_ok=True)
+        raise
+    return Path(name)
+
+
+def move_all(waiting: Mapping[Path, Path]) -> None:
+    """Move files to their places; if one cannot be moved, those before it get their former content back."""
+    former = {path: path.read_bytes() if path.exists() else None for path in waiting}
+    moved: list[Path] = []
+    try:
+        for path, name in waiting.items():
+            moved.append(path)
+            os.replace(name, path)
+    except BaseException:
+        for path in moved:
+            restore(path, former[path])
+        raise
+
+
+def restore(path: Path, content: bytes | None) -> None:
+    """Give a file its former content, or remove it if it was not there."""
+    if content is None:
+        path.unlink(missing_ok=True)
+    elif path.read_bytes() != content:
+        os.replace(beside(path, content), path)

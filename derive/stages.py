@@ -6,17 +6,14 @@ run: with every result at hand, neither SymPy nor the theory is loaded.
 
 from __future__ import annotations
 
-import importlib.util
-import sys
-import tempfile
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 from functools import cache
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 from derive.cache import digest
+from derive.measure.loading import load
 from derive.resources import templates_folder
 
 HERE = Path(__file__).resolve().parent
@@ -26,7 +23,7 @@ PRINTED = (*CHECK, HERE / "paper")
 PAPER = (HERE / "paper",)
 EMIT = (*CHECK, HERE / "emit", HERE / "resources.py")
 REFERENCE = tuple(HERE / "measure" / f"{name}.py" for name in ("taylor", "reference", "scan", "rods"))
-AGREEMENT = (*REFERENCE, HERE / "measure" / "agreement.py")
+AGREEMENT = (*REFERENCE, *(HERE / "measure" / f"{name}.py" for name in ("agreement", "sweeps", "loading")))
 
 
 @dataclass(frozen=True)
@@ -123,7 +120,7 @@ def emit(scene_text: str, label: str, backend: str) -> dict[str, Any]:
     """One module, printed, read back and proved; "failure" says why it must not be written, if it must not."""
     from derive.emit.errors import EmitError
     from derive.emit.module import emit_module
-    from derive.emit.proof import as_json, prove_module
+    from derive.emit.proof import prove_module
     from derive.emit.scene import parse_scene
 
     scene = parse_scene(scene_text, label)
@@ -135,7 +132,7 @@ def emit(scene_text: str, label: str, backend: str) -> dict[str, Any]:
     }
     try:
         module = emit_module(theory(), scene, backend)
-        proof = as_json(prove_module(module, run=None))["formulas"]  # it is run by `agree`
+        proof = [plain(formula) for formula in prove_module(module)]  # the module is run by `agree`
     except EmitError as error:
         return {**found, "failure": str(error), "text": "", "proof": []}
     return {**found, "failure": "", "text": module.text, "proof": proof, "left_out": list(module.left_out)}
@@ -176,20 +173,6 @@ def agree(text: str, backend: str, known: Sequence[Sequence[dict[str, Any]]]) ->
     result = agreement(module, [(rod[0].rod, rod) for rod in answers], unit)
     rows = [asdict(row) for row in result.rows.values()]
     return {"rows": rows, "faults": result.reasons(), "equilibria": result.equilibria}
-
-
-def load(text: str, name: str = "emitted") -> ModuleType:
-    """Import a module from its text, without leaving it anywhere."""
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / f"{name}.py"
-        path.write_text(text, encoding="utf-8")
-        spec = importlib.util.spec_from_file_location(f"_{name}_under_test", path)
-        if spec is None or spec.loader is None:
-            raise ImportError(name)
-        module = importlib.util.module_from_spec(spec)
-        sys.modules[spec.name] = module  # dataclasses look their module up there
-        spec.loader.exec_module(module)
-        return module
 
 
 def plain(record: Any) -> dict[str, Any]:

@@ -3,14 +3,14 @@
 Emitted by `derive emit` from the scene 'force_only': do not edit, change the scene, the theory or the kernels.
 
 Gives: equilibria, shape, sweep.
-Load case: force only. Valid for beta >= 0, length > 0, any clamp_angle.
+Load case: force only, eta = 0. Valid for beta >= 0, length > 0, any clamp_angle.
 Formulas, each proved equal to its derivation:
-    arc_length (exsl22), arc_y (exsl22), arc_z (exsl22), curvature_squared (exsl22), drive_between (exsl22),
-    gap_below (exsl22), gap_from_side (exsl22), gap_minus_plus (exsl22), gap_other_minus (exsl22),
-    level_above_gap (exsl22), moment_from_side (exsl22), moment_from_top (exsl22), point_minus (exsl22),
-    point_other (exsl22), point_plus (exsl22), rod_energy (exsl22), side_moment (exsl22),
-    straight_stiffness (exsl22), tip_gamma (exsl22), tip_gap (exsl22)
-Digest of the inputs: sha256 ece9a33d9fd17002f7f7ba82d5f4971543ac7f637659ab794228a79f153df618
+    arc_length (DLMF 19.25.35), arc_y (slch12), arc_z (slch14), curvature_squared (slch5), drive_between (slch4),
+    gap_below (slch4), gap_from_side (slch4), gap_minus_plus, gap_other_minus, level_above_gap (slch4),
+    moment_from_side (exsl6), moment_from_top (exsl6), point_minus (exsl22), point_other (exsl22),
+    point_plus (exsl22), rod_energy (slch5), side_moment (exsl6), straight_stiffness, tip_gamma (slch6),
+    tip_gap (slch4)
+Digest of the inputs: sha256 9c4a1241588b5a81efaaf36c6557a1655a5b31dc947288b08c5044bb28af7949
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from mpmath import ceil as mpf_ceil
 from mpmath import floor as each_floor
 from mpmath import floor as mpf_floor
 
-__all__ = ["Equilibrium", "Given", "Shape", "Sweep", "equilibria", "shape", "sweep"]
+__all__ = ["Equilibrium", "Shape", "Sweep", "equilibria", "shape", "sweep"]
 
 
 # Special functions
@@ -179,7 +179,7 @@ def root_ratios(steps, u):
 def side_moment(beta):
     """θ″/sin θ towards θ = π.
 
-    Equation exsl22; proved as tip.force_only.side_moment.
+    Equation exsl6; proved as tip.force_only.side_moment.
     """
     return beta
 
@@ -187,7 +187,7 @@ def side_moment(beta):
 def moment_from_side(side, plus):
     """θ″/sin θ at the angle with offset 1 + cos θ.
 
-    Equation exsl22; proved as tip.force_only.moment_from_side.
+    Equation exsl6; proved as tip.force_only.moment_from_side.
     """
     return side
 
@@ -195,7 +195,7 @@ def moment_from_side(side, plus):
 def gap_from_side(side, plus):
     """−f̂(−1)/(1 + ξ(ℓ)) from the offset 1 + ξ(ℓ).
 
-    Equation exsl22; proved as tip.force_only.gap_from_side.
+    Equation slch4; proved as tip.force_only.gap_from_side.
     """
     return -2 * side
 
@@ -203,7 +203,7 @@ def gap_from_side(side, plus):
 def moment_from_top(beta, minus):
     """θ″/sin θ at the angle with offset 1 − cos θ.
 
-    Equation exsl22; proved as tip.force_only.moment_from_top.
+    Equation exsl6; proved as tip.force_only.moment_from_top.
     """
     return beta
 
@@ -211,7 +211,7 @@ def moment_from_top(beta, minus):
 def tip_gap(beta, minus):
     """−f̂(−1)/(1 + ξ(ℓ)): its sign tells whether the orbit stops before ξ = −1.
 
-    Equation exsl22; proved as tip.force_only.tip_gap.
+    Equation slch4; proved as tip.force_only.tip_gap.
     """
     return -2 * beta
 
@@ -219,7 +219,7 @@ def tip_gap(beta, minus):
 def tip_gamma(beta, xi_tip):
     """γ of the first integral, such that the curvature vanishes at the tip.
 
-    Equation exsl22; proved as tip.force_only.tip_gamma.
+    Equation slch6; proved as tip.force_only.tip_gamma.
     """
     return 2 * beta * xi_tip
 
@@ -227,7 +227,7 @@ def tip_gamma(beta, xi_tip):
 def rod_energy(beta, gamma, length, y):
     """Energy of the rod over EI: bending, field and force.
 
-    Equation exsl22; proved as tip.force_only.rod_energy.
+    Equation slch5; proved as tip.force_only.rod_energy.
     """
     return 0.5 * gamma * length - 2 * beta * y
 
@@ -235,7 +235,7 @@ def rod_energy(beta, gamma, length, y):
 def straight_stiffness(beta, xi):
     """The coefficient k of h″ + kh = 0 for small rotations h of a straight rod, cos θ = ξ = ±1.
 
-    Equation exsl22; proved as tip.force_only.straight_stiffness.
+    Proved as tip.force_only.straight_stiffness.
     """
     return -beta * xi
 
@@ -243,7 +243,7 @@ def straight_stiffness(beta, xi):
 def gap_minus_plus(drive):
     """e_minus − e_plus.
 
-    Equation exsl22; proved as tip.force_only.gap_minus_plus.
+    Proved as tip.force_only.gap_minus_plus.
     """
     return drive
 
@@ -251,7 +251,7 @@ def gap_minus_plus(drive):
 def gap_other_minus(minus, gap):
     """e_other − e_minus.
 
-    Equation exsl22; proved as tip.force_only.gap_other_minus.
+    Proved as tip.force_only.gap_other_minus.
     """
     return 0.25 * minus * gap
 
@@ -283,7 +283,7 @@ def point_other(plus, minus, level, drop):
 def arc_length(x_plus, x_minus, x_other):
     """σ, the length from the tip to the point.
 
-    Equation exsl22; proved as tip.force_only.arc_length.
+    Equation DLMF 19.25.35; proved as tip.force_only.arc_length.
     """
     return rf(x_plus, x_minus, x_other)
 
@@ -291,7 +291,7 @@ def arc_length(x_plus, x_minus, x_other):
 def gap_below(clamp_gap, drop):
     """−f̂(−1)/(1 + ξ(ℓ)) of an orbit that passes −1.
 
-    Equation exsl22; proved as tip.force_only.gap_below.
+    Equation slch4; proved as tip.force_only.gap_below.
     """
     return clamp_gap
 
@@ -299,7 +299,7 @@ def gap_below(clamp_gap, drop):
 def level_above_gap(one_plus, gap):
     """f̂(ξ)/(ξ(ℓ) − ξ) of an orbit that passes −1.
 
-    Equation exsl22; proved as tip.force_only.level_above_gap.
+    Equation slch4; proved as tip.force_only.level_above_gap.
     """
     return -gap
 
@@ -307,7 +307,7 @@ def level_above_gap(one_plus, gap):
 def drive_between(drop, level):
     """β + Hξ(ℓ) from f̂ at the clamp: the slope of f̂ at the tip is −2 times it.
 
-    Equation exsl22; proved as tip.force_only.drive_between.
+    Equation slch4; proved as tip.force_only.drive_between.
     """
     return 0.5 * level
 
@@ -315,7 +315,7 @@ def drive_between(drop, level):
 def arc_y(plus, minus, drive, xi_tip, arc, x_plus, x_minus, x_other):
     """∫cos θ dσ from the tip to the point.
 
-    Equation exsl22; proved as tip.force_only.arc_y.
+    Equation slch12; proved as tip.force_only.arc_y.
     """
     return xi_tip * arc - plus * minus * drive * rd(x_plus, x_minus, x_other) / 6
 
@@ -323,7 +323,7 @@ def arc_y(plus, minus, drive, xi_tip, arc, x_plus, x_minus, x_other):
 def arc_z(plus, minus, sin_tip, x_other):
     """∫sin θ dσ from the tip to the point, before θ passes 0 or π.
 
-    Equation exsl22; proved as tip.force_only.arc_z.
+    Equation slch14; proved as tip.force_only.arc_z.
     """
     return sin_tip / sqrt(x_other)
 
@@ -331,7 +331,7 @@ def arc_z(plus, minus, sin_tip, x_other):
 def curvature_squared(drop, level):
     """θ′², the square of the curvature: f̂(ξ).
 
-    Equation exsl22; proved as tip.force_only.curvature_squared.
+    Equation slch5; proved as tip.force_only.curvature_squared.
     """
     return drop * level
 
@@ -362,6 +362,29 @@ class Tip(NamedTuple):
     passes: bool
 
 
+def not_negative(name: str, value: object) -> mpf:
+    """A real number ≥ 0, or an error that names the argument."""
+    number = real(name, value)
+    if number < 0:
+        raise ValueError(f"{name} must not be negative, got {value!r}")
+    return number
+
+
+def positive(name: str, value: object) -> mpf:
+    """A real number > 0, or an error that names the argument."""
+    number = real(name, value)
+    if number <= 0:
+        raise ValueError(f"{name} must be positive, got {value!r}")
+    return number
+
+
+def check(beta, length, clamp_angle):
+    """Raise TypeError or ValueError, naming the argument, unless the numbers make a rod."""
+    not_negative("beta", beta)
+    positive("length", length)
+    real("clamp_angle", clamp_angle)
+
+
 class Clamp(NamedTuple):
     """The clamp angle θ(0) in [0, 2π), and what stays precise near the special angles."""
 
@@ -374,9 +397,9 @@ class Clamp(NamedTuple):
     gap: mpf  # η(1 − cos θ(0)) − 2β
 
 
-def settled(drive):
-    """β + η cos θ(0), or 0 where no angle within rounding of the clamp angle tells it from 0."""
-    return 0 if abs(drive) <= mpf(0) else drive
+def settled(value):
+    """A value that changes with η cos θ(0), or 0 where no angle within rounding of the clamp angle tells it from 0."""
+    return 0 if abs(value) <= mpf(0) else value
 
 
 def clamp_at(beta, angle, rest, offset, from_side):
@@ -385,9 +408,9 @@ def clamp_at(beta, angle, rest, offset, from_side):
     if from_side:
         side = side_moment(beta)
         drive, gap = moment_from_side(side, small), gap_from_side(side, small)
-        return Clamp(angle, rest, pi - offset, small, large, settled(drive), gap)
+        return Clamp(angle, rest, pi - offset, small, large, settled(drive), settled(gap))
     drive, gap = moment_from_top(beta, small), tip_gap(beta, small)
-    return Clamp(angle, rest, offset, large, small, settled(drive), gap)
+    return Clamp(angle, rest, offset, large, small, settled(drive), settled(gap))
 
 
 def clamp_of(beta, clamp_angle):
@@ -716,9 +739,9 @@ def whole_rod(length, clamp, tip, crossing):
     turns, sign = 2 * crossing.turns, crossing.sign
     return Arc(
         length,
-        turns * swing.y + sign * arrival.y,
-        turns * swing.z + sign * arrival.z,
-        turns * swing.square + sign * arrival.square,
+        mpf(turns * swing.y + sign * arrival.y),
+        mpf(turns * swing.z + sign * arrival.z),
+        mpf(turns * swing.square + sign * arrival.square),
     )
 
 
@@ -740,7 +763,7 @@ def bent_rod(rod, clamp, tip, crossing):
     gamma = tip_gamma(rod.beta, (tip.half_cosine - tip.half_sine) * (tip.half_cosine + tip.half_sine))
     curvature = crossing.sign * sqrt(max(curvature_squared(tip.drop, tip.level), 0))
     return Equilibrium(
-        2 * pi * rod.turns + (2 * pi - tip.angle if rod.mirrored else tip.angle),
+        2 * pi * (rod.turns + 1) - tip.angle if rod.mirrored else 2 * pi * rod.turns + tip.angle,
         curvature if rod.mirrored else -curvature,
         gamma,
         arc.y,
@@ -820,8 +843,16 @@ def angle_and_position(equilibrium, s):
     rod, tip = equilibrium.rod, equilibrium.tip
     angle, turning, y, z = from_tip(rod.beta, tip, rod.length - s)
     if rod.mirrored:
-        angle, turning, z = 2 * pi - angle, -turning, -z
+        return 2 * pi * (rod.turns + 1) - angle, turning, equilibrium.y - y, equilibrium.z + z
     return 2 * pi * rod.turns + angle, -turning, equilibrium.y - y, equilibrium.z - z
+
+
+class Given(NamedTuple):
+    """The arguments of a sweep."""
+
+    beta: Any
+    length: Any
+    clamp_angle: Any
 
 
 # Interface
@@ -847,35 +878,14 @@ class Equilibrium:
     tip: Tip | None
 
 
-def not_negative(name: str, value: object) -> mpf:
-    """A real number ≥ 0, or an error that names the argument."""
-    number = real(name, value)
-    if number < 0:
-        raise ValueError(f"{name} must not be negative, got {value!r}")
-    return number
-
-
-def positive(name: str, value: object) -> mpf:
-    """A real number > 0, or an error that names the argument."""
-    number = real(name, value)
-    if number <= 0:
-        raise ValueError(f"{name} must be positive, got {value!r}")
-    return number
-
-
-def check(beta, length, clamp_angle):
-    """Raise TypeError or ValueError, naming the argument, unless the numbers make a rod."""
-    not_negative("beta", beta)
-    positive("length", length)
-    real("clamp_angle", clamp_angle)
-
-
 def equilibria(beta, length, clamp_angle, *, dps=None) -> list[Equilibrium]:
     """All equilibria of one rod, sorted by tip angle.
 
-    beta: terminal force over bending stiffness, F/(EI) ≥ 0. eta: magnetic modulus over bending stiffness, η̃/(EI) ≥ 0.
-    length: > 0. clamp_angle: θ(0), the angle from the y axis to the tangent at the clamp, in radians. All in one
-    unit of length. Raises TypeError or ValueError, naming the argument, before any work.
+    beta: terminal force over bending stiffness, F/(EI) ≥ 0.
+    length: length of the rod, > 0.
+    clamp_angle: θ(0), the angle from the y axis to the tangent at the clamp, in radians.
+
+    All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """
     with workdps(mp.dps if dps is None else dps):
         check(beta, length, clamp_angle)
@@ -919,14 +929,6 @@ class Sweep:
     z: Any
     energy: Any
     index: Any
-
-
-class Given(NamedTuple):
-    """The arguments of a sweep."""
-
-    beta: Any
-    length: Any
-    clamp_angle: Any
 
 
 def broadcast(values):

@@ -5,13 +5,13 @@ Emitted by `derive emit` from the scene 'parallel': do not edit, change the scen
 Gives: equilibria, shape, sweep.
 Load case: parallel. Valid for beta >= 0, eta >= 0, length > 0, any clamp_angle.
 Formulas, each proved equal to its derivation:
-    arc_length (exsl22), arc_square (exsl22), arc_y (exsl22), arc_z (exsl22), curvature_squared (exsl22),
-    drive_between (exsl22), drop_at_level (exsl22), gap_below (exsl22), gap_from_side (exsl22),
-    gap_minus_plus (exsl22), gap_other_minus (exsl22), gap_other_plus (exsl22), level_above_gap (exsl22),
-    moment_from_side (exsl22), moment_from_top (exsl22), point_minus (exsl22), point_other (exsl22),
-    point_plus (exsl22), rising_level (exsl22), rod_energy (exsl22), side_moment (exsl22),
-    straight_stiffness (exsl22), tip_gamma (exsl22), tip_gap (exsl22)
-Digest of the inputs: sha256 b8a7aba7635d3a9e9b64faba3fe5cfb4af9957338c293eadf20f8d2239f6d55a
+    arc_length (DLMF 19.25.35), arc_square (DLMF 19.29(ii)), arc_y (exsl36), arc_z (exsl41),
+    curvature_squared (exsl8), drive_between (exsl13), drop_at_level (exsl13), drop_from_gaps (exsl13),
+    gap_below (exsl13), gap_from_side (exsl13), gap_minus_plus, gap_other_minus, gap_other_plus,
+    level_above_gap (exsl13), moment_from_side (exsl6), moment_from_top (exsl6), point_minus (exsl22),
+    point_other (exsl22), point_plus (exsl22), rising_level (exsl13), rod_energy (exsl8), side_moment (exsl6),
+    straight_stiffness, tip_gamma (exsl23), tip_gap (exsl13)
+Digest of the inputs: sha256 aa727165f6fec71e886ee342d096804a9c4b2e1b9ed3d54225de02a8ed10966a
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from mpmath import ceil as mpf_ceil
 from mpmath import floor as each_floor
 from mpmath import floor as mpf_floor
 
-__all__ = ["Equilibrium", "Given", "Shape", "Sweep", "equilibria", "shape", "sweep"]
+__all__ = ["Equilibrium", "Shape", "Sweep", "equilibria", "shape", "sweep"]
 
 
 # Special functions
@@ -217,7 +217,7 @@ def root_ratios(steps, u):
 def side_moment(beta, eta):
     """θ″/sin θ towards θ = π.
 
-    Equation exsl22; proved as tip.parallel.side_moment.
+    Equation exsl6; proved as tip.parallel.side_moment.
     """
     return beta - eta
 
@@ -225,7 +225,7 @@ def side_moment(beta, eta):
 def moment_from_side(eta, side, plus):
     """θ″/sin θ at the angle with offset 1 + cos θ.
 
-    Equation exsl22; proved as tip.parallel.moment_from_side.
+    Equation exsl6; proved as tip.parallel.moment_from_side.
     """
     return side + eta * plus
 
@@ -233,7 +233,7 @@ def moment_from_side(eta, side, plus):
 def gap_from_side(eta, side, plus):
     """−f̂(−1)/(1 + ξ(ℓ)) from the offset 1 + ξ(ℓ).
 
-    Equation exsl22; proved as tip.parallel.gap_from_side.
+    Equation exsl13; proved as tip.parallel.gap_from_side.
     """
     return -eta * plus - 2 * side
 
@@ -241,7 +241,7 @@ def gap_from_side(eta, side, plus):
 def moment_from_top(beta, eta, minus):
     """θ″/sin θ at the angle with offset 1 − cos θ.
 
-    Equation exsl22; proved as tip.parallel.moment_from_top.
+    Equation exsl6; proved as tip.parallel.moment_from_top.
     """
     return beta + eta - eta * minus
 
@@ -249,7 +249,7 @@ def moment_from_top(beta, eta, minus):
 def tip_gap(beta, eta, minus):
     """−f̂(−1)/(1 + ξ(ℓ)): its sign tells whether the orbit stops before ξ = −1.
 
-    Equation exsl22; proved as tip.parallel.tip_gap.
+    Equation exsl13; proved as tip.parallel.tip_gap.
     """
     return eta * minus - 2 * beta
 
@@ -257,7 +257,7 @@ def tip_gap(beta, eta, minus):
 def tip_gamma(beta, eta, xi_tip):
     """γ of the first integral, such that the curvature vanishes at the tip.
 
-    Equation exsl22; proved as tip.parallel.tip_gamma.
+    Equation exsl23; proved as tip.parallel.tip_gamma.
     """
     return 2 * beta * xi_tip + eta * xi_tip * xi_tip
 
@@ -265,7 +265,7 @@ def tip_gamma(beta, eta, xi_tip):
 def rod_energy(beta, gamma, length, y, square):
     """Energy of the rod over EI: bending, field and force.
 
-    Equation exsl22; proved as tip.parallel.rod_energy.
+    Equation exsl8; proved as tip.parallel.rod_energy.
     """
     return 0.5 * gamma * length - 2 * beta * y - square
 
@@ -273,7 +273,7 @@ def rod_energy(beta, gamma, length, y, square):
 def straight_stiffness(beta, eta, xi):
     """The coefficient k of h″ + kh = 0 for small rotations h of a straight rod, cos θ = ξ = ±1.
 
-    Equation exsl22; proved as tip.parallel.straight_stiffness.
+    Proved as tip.parallel.straight_stiffness.
     """
     return eta - beta * xi - 2 * eta * xi * xi
 
@@ -281,7 +281,7 @@ def straight_stiffness(beta, eta, xi):
 def gap_minus_plus(drive):
     """e_minus − e_plus.
 
-    Equation exsl22; proved as tip.parallel.gap_minus_plus.
+    Proved as tip.parallel.gap_minus_plus.
     """
     return drive
 
@@ -289,7 +289,7 @@ def gap_minus_plus(drive):
 def gap_other_minus(minus, gap):
     """e_other − e_minus.
 
-    Equation exsl22; proved as tip.parallel.gap_other_minus.
+    Proved as tip.parallel.gap_other_minus.
     """
     return 0.25 * minus * gap
 
@@ -297,7 +297,7 @@ def gap_other_minus(minus, gap):
 def gap_other_plus(beta, eta, plus):
     """e_other − e_plus.
 
-    Equation exsl22; proved as tip.parallel.gap_other_plus.
+    Proved as tip.parallel.gap_other_plus.
     """
     return 0.25 * plus * (2 * beta + eta * plus)
 
@@ -329,7 +329,7 @@ def point_other(plus, minus, level, drop):
 def arc_length(x_plus, x_minus, x_other):
     """σ, the length from the tip to the point.
 
-    Equation exsl22; proved as tip.parallel.arc_length.
+    Equation DLMF 19.25.35; proved as tip.parallel.arc_length.
     """
     return rf(x_plus, x_minus, x_other)
 
@@ -337,7 +337,7 @@ def arc_length(x_plus, x_minus, x_other):
 def rising_level(eta, clamp_drive, drop):
     """f̂(ξ)/(ξ(ℓ) − ξ) of a tip near the clamp angle.
 
-    Equation exsl22; proved as tip.parallel.rising_level.
+    Equation exsl13; proved as tip.parallel.rising_level.
     """
     return eta * drop + 2 * clamp_drive
 
@@ -345,15 +345,23 @@ def rising_level(eta, clamp_drive, drop):
 def drop_at_level(eta, clamp_drive, level):
     """ξ(ℓ) − ξ of an orbit that turns near the clamp.
 
-    Equation exsl22; proved as tip.parallel.drop_at_level.
+    Equation exsl13; proved as tip.parallel.drop_at_level.
     """
     return (level - 2 * clamp_drive) / eta
+
+
+def drop_from_gaps(eta, clamp_gap, gap):
+    """ξ(ℓ) − ξ of an orbit that just passes −1.
+
+    Equation exsl13; proved as tip.parallel.drop_from_gaps.
+    """
+    return (clamp_gap - gap) / eta
 
 
 def gap_below(eta, clamp_gap, drop):
     """−f̂(−1)/(1 + ξ(ℓ)) of an orbit that passes −1.
 
-    Equation exsl22; proved as tip.parallel.gap_below.
+    Equation exsl13; proved as tip.parallel.gap_below.
     """
     return clamp_gap - eta * drop
 
@@ -361,7 +369,7 @@ def gap_below(eta, clamp_gap, drop):
 def level_above_gap(eta, one_plus, gap):
     """f̂(ξ)/(ξ(ℓ) − ξ) of an orbit that passes −1.
 
-    Equation exsl22; proved as tip.parallel.level_above_gap.
+    Equation exsl13; proved as tip.parallel.level_above_gap.
     """
     return eta * one_plus - gap
 
@@ -369,7 +377,7 @@ def level_above_gap(eta, one_plus, gap):
 def drive_between(eta, drop, level):
     """β + Hξ(ℓ) from f̂ at the clamp: the slope of f̂ at the tip is −2 times it.
 
-    Equation exsl22; proved as tip.parallel.drive_between.
+    Equation exsl13; proved as tip.parallel.drive_between.
     """
     return 0.5 * eta * drop + 0.5 * level
 
@@ -377,7 +385,7 @@ def drive_between(eta, drop, level):
 def arc_y(eta, plus, minus, drive, xi_tip, arc, x_plus, x_minus, x_other):
     """∫cos θ dσ from the tip to the point.
 
-    Equation exsl22; proved as tip.parallel.arc_y.
+    Equation exsl36; proved as tip.parallel.arc_y.
     """
     return xi_tip * arc - plus * minus * drive * rj(x_plus, x_minus, x_other, x_other + 0.25 * eta * plus * minus) / 6
 
@@ -385,7 +393,7 @@ def arc_y(eta, plus, minus, drive, xi_tip, arc, x_plus, x_minus, x_other):
 def arc_z(eta, plus, minus, sin_tip, x_other):
     """∫sin θ dσ from the tip to the point, before θ passes 0 or π.
 
-    Equation exsl22; proved as tip.parallel.arc_z.
+    Equation exsl41; proved as tip.parallel.arc_z.
     """
     return sin_tip * rc(x_other, x_other + 0.25 * eta * plus * minus)
 
@@ -393,7 +401,7 @@ def arc_z(eta, plus, minus, sin_tip, x_other):
 def arc_square(beta, eta, plus, minus, drive, gap, xi_tip, arc, x_plus, x_minus, x_other):
     """−2∫ψ dσ = ∫(eta*xi**2) dσ from the tip to the point.
 
-    Equation exsl22; proved as tip.parallel.arc_square.
+    Equation DLMF 19.29(ii); proved as tip.parallel.arc_square.
     """
     return (
         beta * plus * minus * drive * rj(x_plus, x_minus, x_other, x_other + 0.25 * eta * plus * minus) / 6
@@ -406,7 +414,7 @@ def arc_square(beta, eta, plus, minus, drive, gap, xi_tip, arc, x_plus, x_minus,
 def curvature_squared(drop, level):
     """θ′², the square of the curvature: f̂(ξ).
 
-    Equation exsl22; proved as tip.parallel.curvature_squared.
+    Equation exsl8; proved as tip.parallel.curvature_squared.
     """
     return drop * level
 
@@ -438,6 +446,30 @@ class Tip(NamedTuple):
     passes: bool
 
 
+def not_negative(name: str, value: object) -> mpf:
+    """A real number ≥ 0, or an error that names the argument."""
+    number = real(name, value)
+    if number < 0:
+        raise ValueError(f"{name} must not be negative, got {value!r}")
+    return number
+
+
+def positive(name: str, value: object) -> mpf:
+    """A real number > 0, or an error that names the argument."""
+    number = real(name, value)
+    if number <= 0:
+        raise ValueError(f"{name} must be positive, got {value!r}")
+    return number
+
+
+def check(beta, eta, length, clamp_angle):
+    """Raise TypeError or ValueError, naming the argument, unless the numbers make a rod."""
+    not_negative("beta", beta)
+    not_negative("eta", eta)
+    positive("length", length)
+    real("clamp_angle", clamp_angle)
+
+
 class Clamp(NamedTuple):
     """The clamp angle θ(0) in [0, 2π), and what stays precise near the special angles."""
 
@@ -450,9 +482,9 @@ class Clamp(NamedTuple):
     gap: mpf  # η(1 − cos θ(0)) − 2β
 
 
-def settled(drive, eta, offset):
-    """β + η cos θ(0), or 0 where no angle within rounding of the clamp angle tells it from 0."""
-    return 0 if abs(drive) <= 4 * epsilon() * eta * abs(sin(offset)) else drive
+def settled(value, eta, offset):
+    """A value that changes with η cos θ(0), or 0 where no angle within rounding of the clamp angle tells it from 0."""
+    return 0 if abs(value) <= 4 * epsilon() * eta * abs(sin(offset)) else value
 
 
 def clamp_at(beta, eta, angle, rest, offset, from_side):
@@ -461,9 +493,9 @@ def clamp_at(beta, eta, angle, rest, offset, from_side):
     if from_side:
         side = side_moment(beta, eta)
         drive, gap = moment_from_side(eta, side, small), gap_from_side(eta, side, small)
-        return Clamp(angle, rest, pi - offset, small, large, settled(drive, eta, offset), gap)
+        return Clamp(angle, rest, pi - offset, small, large, settled(drive, eta, offset), settled(gap, eta, offset))
     drive, gap = moment_from_top(beta, eta, small), tip_gap(beta, eta, small)
-    return Clamp(angle, rest, offset, large, small, settled(drive, eta, offset), gap)
+    return Clamp(angle, rest, offset, large, small, settled(drive, eta, offset), settled(gap, eta, offset))
 
 
 def clamp_of(beta, eta, clamp_angle):
@@ -538,7 +570,8 @@ def double_well(beta, eta, clamp):
         return [*outer, Piece(pi, turn_rest, -turn_rest, "side", "turn", False)]
     if clamp.drive >= 0:
         kind = "clamp" if clamp.drive > 0 else "rest"
-        return [*outer, Piece(level, clamp.fold - level, clamp.rest, "level", kind, False)]
+        width = 2 * asin(clamp.gap / (2 * eta * sin((clamp.fold + level) / 2)))
+        return [*outer, Piece(level, width, clamp.rest, "level", kind, False)]
     width = 2 * asin(clamp.one_plus / (2 * sin((turn + level) / 2)))
     return [*outer, Piece(level, width, turn_rest, "level", "turn", False)]
 
@@ -554,8 +587,7 @@ def pieces(beta, eta, clamp):
     whole = Piece(0, clamp.fold, abs(clamp.rest), "top", kind, True)
     if eta <= beta or clamp.gap <= 0:
         return [whole]
-    # A clamp on the level itself leaves no tips in the well.
-    return [piece for piece in double_well(beta, eta, clamp) if piece.width > 0]
+    return double_well(beta, eta, clamp)
 
 
 def grid(beta, eta, length, clamp, piece):
@@ -658,14 +690,14 @@ def within_right_well(eta, clamp, piece, rise, fall):
     return drop_at_level(eta, clamp.drive, level), level
 
 
-def left_of_side(beta, eta, clamp, piece, angle, rise, fall):
+def left_of_side(beta, eta, clamp, piece, rise, fall):
     """gap, drop and level of a tip below π, each a sum of terms of one sign or a product of exact offsets."""
     # 2 sin(high − fall/2) sin(fall/2) is the difference of the cosines of the tip angle and of the high end.
     below_high = 2 * sin(piece.high_rest + fall / 2) * sin(fall / 2)
     if eta <= beta or piece.passes:
         if eta > beta and piece.high_kind == "level":
             gap = -eta * below_high
-            drop = 2 * sin((clamp.fold + angle) / 2) * sin((clamp.fold - angle) / 2)
+            drop = drop_from_gaps(eta, clamp.gap, gap)
         else:
             drop = below_high
             gap = gap_below(eta, clamp.gap, drop)
@@ -689,7 +721,7 @@ def tip_at(beta, eta, clamp, piece, place):
         drop, level = within_right_well(eta, clamp, piece, rise, fall)
     else:
         half_sine, half_cosine = sin(angle / 2), sin((piece.high_rest + fall) / 2)
-        gap, drop, level = left_of_side(beta, eta, clamp, piece, angle, rise, fall)
+        gap, drop, level = left_of_side(beta, eta, clamp, piece, rise, fall)
     return Tip(half_sine, half_cosine, gap, drop, level, drive_between(eta, drop, level), angle, piece.passes)
 
 
@@ -852,9 +884,9 @@ def whole_rod(beta, eta, length, clamp, tip, crossing):
     turns, sign = 2 * crossing.turns, crossing.sign
     return Arc(
         length,
-        turns * swing.y + sign * arrival.y,
-        turns * swing.z + sign * arrival.z,
-        turns * swing.square + sign * arrival.square,
+        mpf(turns * swing.y + sign * arrival.y),
+        mpf(turns * swing.z + sign * arrival.z),
+        mpf(turns * swing.square + sign * arrival.square),
     )
 
 
@@ -876,7 +908,7 @@ def bent_rod(rod, clamp, tip, crossing):
     gamma = tip_gamma(rod.beta, rod.eta, (tip.half_cosine - tip.half_sine) * (tip.half_cosine + tip.half_sine))
     curvature = crossing.sign * sqrt(max(curvature_squared(tip.drop, tip.level), 0))
     return Equilibrium(
-        2 * pi * rod.turns + (2 * pi - tip.angle if rod.mirrored else tip.angle),
+        2 * pi * (rod.turns + 1) - tip.angle if rod.mirrored else 2 * pi * rod.turns + tip.angle,
         curvature if rod.mirrored else -curvature,
         gamma,
         arc.y,
@@ -957,8 +989,17 @@ def angle_and_position(equilibrium, s):
     rod, tip = equilibrium.rod, equilibrium.tip
     angle, turning, y, z = from_tip(rod.beta, rod.eta, tip, rod.length - s)
     if rod.mirrored:
-        angle, turning, z = 2 * pi - angle, -turning, -z
+        return 2 * pi * (rod.turns + 1) - angle, turning, equilibrium.y - y, equilibrium.z + z
     return 2 * pi * rod.turns + angle, -turning, equilibrium.y - y, equilibrium.z - z
+
+
+class Given(NamedTuple):
+    """The arguments of a sweep."""
+
+    beta: Any
+    eta: Any
+    length: Any
+    clamp_angle: Any
 
 
 # Interface
@@ -984,36 +1025,15 @@ class Equilibrium:
     tip: Tip | None
 
 
-def not_negative(name: str, value: object) -> mpf:
-    """A real number ≥ 0, or an error that names the argument."""
-    number = real(name, value)
-    if number < 0:
-        raise ValueError(f"{name} must not be negative, got {value!r}")
-    return number
-
-
-def positive(name: str, value: object) -> mpf:
-    """A real number > 0, or an error that names the argument."""
-    number = real(name, value)
-    if number <= 0:
-        raise ValueError(f"{name} must be positive, got {value!r}")
-    return number
-
-
-def check(beta, eta, length, clamp_angle):
-    """Raise TypeError or ValueError, naming the argument, unless the numbers make a rod."""
-    not_negative("beta", beta)
-    not_negative("eta", eta)
-    positive("length", length)
-    real("clamp_angle", clamp_angle)
-
-
 def equilibria(beta, eta, length, clamp_angle, *, dps=None) -> list[Equilibrium]:
     """All equilibria of one rod, sorted by tip angle.
 
-    beta: terminal force over bending stiffness, F/(EI) ≥ 0. eta: magnetic modulus over bending stiffness, η̃/(EI) ≥ 0.
-    length: > 0. clamp_angle: θ(0), the angle from the y axis to the tangent at the clamp, in radians. All in one
-    unit of length. Raises TypeError or ValueError, naming the argument, before any work.
+    beta: terminal force over bending stiffness, F/(EI) ≥ 0.
+    eta: magnetic modulus over bending stiffness, η̃/(EI) ≥ 0.
+    length: length of the rod, > 0.
+    clamp_angle: θ(0), the angle from the y axis to the tangent at the clamp, in radians.
+
+    All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """
     with workdps(mp.dps if dps is None else dps):
         check(beta, eta, length, clamp_angle)
@@ -1059,15 +1079,6 @@ class Sweep:
     z: Any
     energy: Any
     index: Any
-
-
-class Given(NamedTuple):
-    """The arguments of a sweep."""
-
-    beta: Any
-    eta: Any
-    length: Any
-    clamp_angle: Any
 
 
 def broadcast(values):

@@ -151,7 +151,15 @@ class Equilibrium:
 
 
 def equilibria(beta, eta, length, clamp_angle):
-    """All results."""
+    """All results.
+
+    beta: the force.
+    eta: the field,
+         in its units.
+    length: > 0.
+
+    Raises ValueError.
+    """
     beta, eta = real("beta", beta), real("eta", eta)
     if beta < 0 or eta < 0:
         raise ValueError(f"beta and eta must not be negative, got {beta} and {eta}")

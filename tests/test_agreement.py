@@ -1,18 +1,32 @@
-"""The comparison with the references: a true module passes, and every kind of wrong one is seen."""
+"""The comparison with the references: a true module passes, and every kind of wrong one is seen.
+
+At the end, wrong kernels and wrong formulas: each is refused by the proof or by the comparison.
+"""
 
 from __future__ import annotations
 
+import ast
+import re
 from dataclasses import dataclass, replace
-from math import sqrt
+from math import cos, sqrt
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
-from derive.measure.agreement import ROUNDINGS, agreement
+from derive.emit.errors import EmitError
+from derive.emit.library import read_kernels
+from derive.emit.module import EmittedModule, emit_module
+from derive.emit.proof import prove_formulas, prove_module
+from derive.emit.scene import load_scene
+from derive.measure.agreement import DOUBLE, QUANTITIES, ROUNDINGS, SHAPE, TWIN_DIGITS, agreement
+from derive.measure.loading import load
 from derive.measure.reference import FRACTIONS, Reference, Rod
 from derive.measure.rods import PAPER, references, rods
 from derive.measure.scan import STIFFEST
+from derive.measure.sweeps import FIELDS
+from derive.resources import shipped_scenes
+from derive.stages import theory
 
 
 @dataclass(frozen=True)
@@ -21,6 +35,7 @@ class Answer:
 
     tip_angle: float
     clamp_curvature: float
+    gamma: float
     y: float
     z: float
     energy: float
@@ -33,28 +48,36 @@ def known() -> list[tuple[Rod, list[Reference]]]:
     return [(PAPER, references(PAPER))]
 
 
-def module(known: list[tuple[Rod, list[Reference]]], change: Any = lambda answers: answers) -> Any:
-    """A module that knows the answers for one rod, and what is changed in them."""
-    names = ("tip_angle", "clamp_curvature", "y", "z", "energy")
+def same(answers: Any) -> Any:
+    return answers
+
+
+def module(known: list[tuple[Rod, list[Reference]]], change: Any = same, swept: Any = same) -> Any:
+    """A module that knows the answers for one rod, and what is changed in them and in the sweep of them."""
 
     def equilibria(beta: float, eta: float, length: float, clamp_angle: float) -> list[Answer]:
         assert (beta, eta, length, clamp_angle) == (PAPER.beta, PAPER.eta, PAPER.length, PAPER.clamp_angle)
         (_, found), *_ = known
-        return change([Answer(*(float(r.values[name]) for name in names), r.index, r) for r in found])
+        return change([Answer(*(float(r.values[name]) for name in QUANTITIES), r.index, r) for r in found])
 
     def shape(equilibrium: Answer, s: float) -> SimpleNamespace:
         fraction = next(f for f in FRACTIONS if f * PAPER.length == s)
-        parts = ("theta", "curvature", "y", "z")
-        return SimpleNamespace(**{p: float(equilibrium.known.values[f"{p}({fraction}ℓ)"]) for p in parts})
+        return SimpleNamespace(**{p: float(equilibrium.known.values[f"{p}({fraction}ℓ)"]) for p in SHAPE})
 
-    return SimpleNamespace(equilibria=equilibria, shape=shape)
+    def sweep(beta: Any, eta: Any, length: Any, clamp_angle: Any) -> SimpleNamespace:
+        rods = enumerate(zip(beta, eta, length, clamp_angle, strict=True))
+        rows = [(case, one) for case, rod in rods for one in equilibria(*rod)]
+        columns = {name: [getattr(one, name) for _, one in rows] for name in FIELDS}
+        return SimpleNamespace(**swept({"case": [case for case, _ in rows], **columns}))
+
+    return SimpleNamespace(equilibria=equilibria, shape=shape, sweep=sweep)
 
 
 def test_rounded_answers_agree_to_a_rounding(known: Any) -> None:
     found = agreement(module(known), known)
     assert found.holds
     assert found.equilibria == 3
-    assert len(found.rows) == 9
+    assert set(found.rows) == {*QUANTITIES, *(f"{name}(s)" for name in SHAPE)}
     assert max(row.roundings for row in found.rows.values()) <= 1
 
 
@@ -65,6 +88,7 @@ def test_rounded_answers_agree_to_a_rounding(known: Any) -> None:
         (lambda a: [*a, a[-1]], "4 equilibria instead of 3"),
         (lambda a: [replace(a[0], index=1), *a[1:]], "index 1 instead of 0"),
         (lambda a: [replace(a[0], y=-a[0].y), *a[1:]], "y is off by"),
+        (lambda a: [replace(a[0], gamma=a[0].gamma * (1 + 1e-10)), *a[1:]], "gamma is off by"),
         (lambda a: [*a[:2], replace(a[2], energy=a[2].energy * (1 + 1e-10))], "energy is off by"),
         (lambda a: [a[0] / 0], "it fails with TypeError"),
         (lambda a: [replace(a[0], tip_angle=float("nan")), *a[1:]], "tip_angle is nan"),
@@ -74,6 +98,31 @@ def test_wrong_answers_are_seen(known: Any, change: Any, words: str) -> None:
     found = agreement(module(known, change), known)
     assert not found.holds
     assert words in " ".join(found.reasons())
+
+
+@pytest.mark.parametrize(
+    ("swept", "words"),
+    [
+        (lambda s: {**s, "case": [case + 1 for case in s["case"]]}, "sweep: case[0] is 1, and equilibria gives 0"),
+        (lambda s: {**s, "index": s["index"][:-1]}, "sweep: index has 5 rows instead of 6"),
+        (lambda s: {**s, "y": s["z"]}, "sweep: y[0] is"),
+        (lambda s: {**s, "energy": [*s["energy"][:-1], float("nan")]}, "sweep: energy[5] is nan"),
+        (lambda s: {name: s[name] for name in s if name != "gamma"}, "has no attribute 'gamma'"),
+        (lambda s: 1 / 0, "sweep fails with ZeroDivisionError"),
+    ],
+)
+def test_a_sweep_says_what_equilibria_says(known: Any, swept: Any, words: str) -> None:
+    found = agreement(module(known, swept=swept), known * 2)
+    assert not found.holds
+    assert words in " ".join(found.reasons())
+    assert agreement(module(known), known * 2).holds
+
+
+def test_gamma_is_that_of_the_first_integral_at_the_tip(known: Any) -> None:
+    for _, found in known:
+        for one in found:
+            xi = cos(float(one.values["tip_angle"]))
+            assert float(one.values["gamma"]) == pytest.approx(2 * PAPER.beta * xi + PAPER.eta * xi * xi, rel=1e-12)
 
 
 def test_no_comparison_is_no_agreement(known: Any) -> None:
@@ -88,3 +137,93 @@ def test_rods_follow_the_case_and_the_scene() -> None:
     assert {rod.length for rod in rods("parallel", {"length": 80.0})} == {80.0}
     assert [rod.eta for rod in rods("parallel", {"eta": 50.0})] == [50.0] * 8  # all but the article's are shortened
     assert all(rod.length * sqrt(rod.beta + rod.eta) <= STIFFEST for rod in rods("parallel", {"length": 500.0}))
+
+
+# Mutants: kernel file, what is changed, and why that is wrong.
+KERNEL_MUTANTS = [
+    pytest.param("agm", "+ b * r\n", "- b * r\n", id="a sign in root_ratios"),
+    pytest.param("agm", "pi / (2 * steps", "pi / (4 * steps", id="a factor of the half-period"),
+    pytest.param("shapes", "z = r * arc_z(", "z = arc_z(", id="a dropped factor before arc_z"),
+    pytest.param("shapes", "waves % 2 == 0", "waves % 2 == 1", id="the parity of the half-waves"),
+    pytest.param("shapes", "rod.length - s)", "s)", id="arc length from the wrong end"),
+    pytest.param("rods", "else swings + 1", "else swings", id="an index one too low"),
+    pytest.param("rods", "2 * crossing.turns - (1", "2 * crossing.turns + (1", id="an index two too high"),
+    pytest.param("rods", "turns * swing.square + sign", "turns * swing.square - sign", id="a sign in the energy"),
+    pytest.param("timing", "drive, clamp.one_minus, tip", "drive, clamp.one_plus, tip", id="a swapped argument"),
+    pytest.param("search", "(2 * shortest)) + 2", "(2 * shortest)) + 0", id="branches left out"),
+    pytest.param("search", "for sign in (1, -1) if turns", "for sign in (1,) if turns", id="half of the branches"),
+    pytest.param("equilibria", "-arc.z if rod", "arc.z if rod", id="a mirror image not mirrored"),
+    pytest.param(
+        "equilibria", "        gamma,\n        arc.y", "        -gamma,\n        arc.y", id="the sign of gamma"
+    ),
+    pytest.param("api", "array([case for case", "array([case + 1 for case", id="cases of a sweep one too high"),
+    pytest.param("api", "[item.y for _, item", "[item.z for _, item", id="a column of a sweep for another"),
+]
+
+
+@pytest.fixture(scope="module")
+def trial() -> list[tuple[Rod, list[Reference]]]:
+    """Rods that bend both ways, turn round, and lie over the ridge."""
+    chosen = rods("parallel")
+    return [(rod, references(rod)) for rod in (chosen[0], chosen[2], chosen[5], chosen[6])]
+
+
+def emitted(kernels: dict[str, str] | None = None) -> EmittedModule:
+    return emit_module(theory(), load_scene(shipped_scenes()["parallel"]), "numpy", kernels=kernels)
+
+
+def refusals(module: EmittedModule, trial: Any) -> list[str]:
+    """What the main job would say against writing a module."""
+    try:
+        prove_module(module)
+    except EmitError as error:
+        return [str(error)]
+    return agreement(load(module.text), trial).reasons()
+
+
+def test_the_true_module_is_not_refused(trial: Any) -> None:
+    assert refusals(emitted(), trial) == []
+
+
+@pytest.mark.parametrize(("backend", "unit"), [("numpy", DOUBLE), ("mpmath", 10.0**-TWIN_DIGITS)])
+def test_a_scene_of_sweeps_alone_is_compared(trial: Any, backend: str, unit: float) -> None:
+    scene = replace(load_scene(shipped_scenes()["parallel"]), outputs=("sweep",))
+    module = emit_module(theory(), scene, backend)
+    assert agreement(load(module.text), trial[:1], unit).reasons() == []
+    wrong = re.sub(r"\[item\.y for _, item", "[item.z for _, item", module.text)
+    assert any(line.startswith("sweep: y[0] is") for line in agreement(load(wrong), trial[:1], unit).reasons())
+
+
+@pytest.mark.parametrize(("file", "old", "new"), KERNEL_MUTANTS)
+def test_a_wrong_kernel_is_refused(trial: Any, file: str, old: str, new: str) -> None:
+    kernels = read_kernels()
+    assert kernels[file].count(old) >= 1, "the kernel has changed: mend the mutant"
+    assert refusals(emitted({**kernels, file: kernels[file].replace(old, new)}), trial)
+
+
+def test_a_wrong_formula_is_refused() -> None:
+    true = emitted()
+    for formula in true.formulas:
+        for change in ("-({})", "({}) * 1.0000001", "({}) + 1e-9"):
+            tree = ast.parse(true.text)
+            node = next(n for n in tree.body if isinstance(n, ast.FunctionDef) and n.name == formula.name)
+            last = node.body[-1]
+            assert isinstance(last, ast.Return)
+            last.value = ast.parse(change.format(ast.unparse(last.value or node)), mode="eval").body
+            with pytest.raises(EmitError, match=f"'{formula.name}' is not proved equal to"):
+                prove_formulas(ast.unparse(ast.fix_missing_locations(tree)), [formula], "wrong.py")
+
+
+@pytest.mark.parametrize(
+    ("formula", "old", "new"),
+    [
+        ("arc_z", "return sin_tip * ", "return "),
+        ("arc_length", "return rf(x_plus, x_minus", "return rf(x_plus, x_plus"),
+        ("point_plus", "def point_plus(plus, drive, one_minus, drop)", "def point_plus(plus, drive, drop, one_minus)"),
+    ],
+)
+def test_a_dropped_factor_or_a_swapped_argument_is_refused(formula: str, old: str, new: str) -> None:
+    true = emitted()
+    assert true.text.count(old) == 1, "the formula has changed: mend the mutant"
+    with pytest.raises(EmitError, match=formula):
+        prove_formulas(true.text.replace(old, new), true.formulas, "wrong.py")

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 
+from derive import output
 from derive.cli import main
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -41,6 +42,8 @@ def run(*arguments: str, cwd: Path = ROOT, **environment: str) -> subprocess.Com
         (["check", "--paper", "nowhere.tex"], "nowhere.tex: cannot be read"),
         (["check", "--paper", str(ROOT / "pyproject.toml")], "no 'equation' environment"),
         (["all", "--jobs", "-1"], "--jobs must be at least 1"),
+        (["all", "--out", str(ROOT / "pyproject.toml")], "is no folder; choose another folder with --out"),
+        (["emit", "--out", str(ROOT / "pyproject.toml" / "below")], "is no folder; choose another folder with --out"),
     ],
     ids=lambda value: "-".join(value)[:40] if isinstance(value, list) else "",
 )
@@ -49,6 +52,7 @@ def test_a_mistake_is_one_clear_line(arguments: list[str], words: str, capsys: p
     out, err = capsys.readouterr()
     assert words in err
     assert err.startswith(f"derive {arguments[0]}: ")
+    assert all(line.startswith("    ") for line in err.splitlines()[1:])  # the place in a source, if there is one
     assert "Traceback" not in out + err
 
 
@@ -58,6 +62,30 @@ def test_a_misspelt_key_names_its_line(tmp_path: Path, capsys: pytest.CaptureFix
     assert main(["emit", str(scene), "--out", str(tmp_path / "out")]) == 2
     assert f"{scene}:5: unknown key 'backend' in [scene]; did you mean 'backends'?" in capsys.readouterr().err
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("constant", "words"),
+    [
+        ('beta = "-1/2"', "beta = -1/2 lies outside its domain beta >= 0"),
+        ('length = "-80"', "length = -80 lies outside its domain length > 0"),
+        ('length = "nan"', "'nan' at character 1"),
+        ("length = nan", "is not exact"),
+        ('lenght = "80"', "did you mean 'length'?"),
+    ],
+)
+def test_a_bad_constant_names_its_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], constant: str, words: str
+) -> None:
+    scene = tmp_path / "mine.toml"
+    scene.write_text(f'[scene]\nname = "mine"\ncase = "parallel"\noutputs = ["equilibria"]\n[constants]\n{constant}\n')
+    for command in (["emit", str(scene), "--out", str(tmp_path / "out")], ["solve", str(scene), *ROD]):
+        assert main(command) == 2
+        err = capsys.readouterr().err
+        assert f"{scene}:6: " in err
+        assert words in err
+        assert err.count("\n") == 1
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["mine.toml"]
 
 
 @pytest.mark.parametrize("arguments", [["bogus"], ["check", "--bogus"], ["solve"]])
@@ -134,15 +162,38 @@ def test_the_main_job_and_its_cache(checkout: Path) -> None:
 
 
 @pytest.mark.long
+def test_the_same_bytes_from_an_empty_cache_and_another_seed(checkout: Path, tmp_path: Path) -> None:
+    for seed in ("1", "2"):
+        found = run(
+            "emit",
+            "--out",
+            str(tmp_path / seed),
+            cwd=checkout,
+            PYTHONHASHSEED=seed,
+            DERIVE_CACHE=str(tmp_path / f"c{seed}"),
+        )
+        assert found.returncode == 0, found.stderr
+    assert len(contents(tmp_path / "1")) > 4
+    assert contents(tmp_path / "1") == contents(tmp_path / "2") == contents(checkout / "generated")
+
+
+@pytest.mark.long
 def test_drift_is_shown_with_a_diff(checkout: Path) -> None:
     module = checkout / "generated" / "parallel_numpy.py"
     text = module.read_text()
     try:
-        module.write_text(text.replace("beta + ", "beta - ", 1))
+        changed = text.replace("beta + ", "beta - ", 1)
+        module.write_text(changed)
         found = run("emit", "--check", cwd=checkout)
         assert found.returncode == 1
+        removed, added = (
+            [line[1:] for line in found.stdout.splitlines() if line[0] == sign and line[1:3] != sign * 2]
+            for sign in "-+"
+        )
         assert "+++ emitted: parallel_numpy.py" in found.stdout
-        assert module.read_text() != text
+        assert len(removed) == len(added) == 1
+        assert removed[0].replace("beta - ", "beta + ", 1) == added[0]
+        assert module.read_text() == changed
     finally:
         module.write_text(text)
     assert run("emit", "--check", cwd=checkout, PYTHONHASHSEED="7").returncode == 0
@@ -165,9 +216,73 @@ def test_a_flipped_sign_is_named_with_a_counterexample(checkout: Path) -> None:
 
 
 @pytest.mark.long
-def test_an_unwritable_folder_is_a_mistake(tmp_path: Path) -> None:
+def test_a_wrong_kernel_is_refused_and_nothing_is_written(checkout: Path) -> None:
+    kernel, before = checkout / "derive" / "emit" / "kernels" / "rods.py", contents(checkout / "generated")
+    text = kernel.read_text()
+    assert text.count("else swings + 1") == 1
+    try:
+        kernel.write_text(text.replace("else swings + 1", "else swings"))
+        found = run("emit", cwd=checkout)
+    finally:
+        kernel.write_text(text)
+    assert found.returncode == 1
+    assert "parallel_numpy: index 0 instead of 1" in found.stderr
+    assert "no module was written" in found.stderr
+    assert contents(checkout / "generated") == before
+
+
+def test_an_unwritable_folder_is_a_mistake(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "file").write_text("")
-    found = run("emit", "--out", str(tmp_path / "file" / "below"))
-    assert found.returncode == 2
-    assert "choose another folder with --out" in found.stderr
+    for command in ("emit", "all"):
+        assert main([command, "--out", str(tmp_path / "file" / "below")]) == 2
+        assert "choose another folder with --out" in capsys.readouterr().err
     assert (tmp_path / "file").read_text() == ""
+
+
+# Writing, by itself
+
+
+def test_all_files_are_written_or_none(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    old, new = tmp_path / "old.py", tmp_path / "folder" / "new.py"
+    output.write_all({old: "old\n"})
+    replace, left = os.replace, [1]
+
+    def full_after_one(source: str, target: str) -> None:
+        if Path(target) == new and left.pop():
+            raise OSError(28, "No space left on device")
+        replace(source, target)
+
+    monkeypatch.setattr(os, "replace", full_after_one)
+    with pytest.raises(output.OutputError, match=r"No space left on device.*--out"):
+        output.write_all({old: "changed\n", new: "new\n"})
+    assert [path.name for path in tmp_path.rglob("*") if path.is_file()] == ["old.py"]
+    assert old.read_text() == "old\n"
+
+
+def test_a_file_that_cannot_be_prepared_changes_nothing(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    with pytest.raises(output.OutputError, match="--out"):
+        output.write_all({tmp_path / "a.py": "a\n", tmp_path / "file" / "below" / "b.py": "b\n"})
+    assert [path.name for path in tmp_path.iterdir()] == ["file"]
+
+
+def test_only_what_differs_is_written(tmp_path: Path) -> None:
+    files = {tmp_path / "a.py": "a\n", tmp_path / "b.py": "b\n"}
+    assert output.write_all(files) == list(files)
+    assert output.drift(files, tmp_path, complete=True) == []
+    assert output.write_all({**files, tmp_path / "b.py": "c\n"}) == [tmp_path / "b.py"]
+
+
+def test_drift_shows_missing_changed_and_stale_modules(tmp_path: Path) -> None:
+    (tmp_path / "changed.py").write_text("one\ntwo")
+    (tmp_path / "stale.py").write_text(f'"""{output.MARK} from a scene."""\n')
+    (tmp_path / "own.py").write_text('"""Written by hand."""\n')
+    files = {tmp_path / "changed.py": "one\nthree\n", tmp_path / "missing.py": "new\n"}
+    lines = output.drift(files, tmp_path, complete=True)
+    assert all(line.endswith("\n") for line in lines)
+    text = "".join(lines)
+    assert "--- on disk: changed.py\n+++ emitted: changed.py\n@@ -1,2 +1,2 @@\n one\n-two\n\\ No newline" in text
+    assert "@@ -0,0 +1 @@\n+new\n" in text
+    assert "+++ emitted by no scene: remove it\n" in text
+    assert "own.py" not in text
+    assert "stale.py" not in "".join(output.drift(files, tmp_path, complete=False))

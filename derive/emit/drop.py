@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Collection, Mapping
 from typing import Any
 
@@ -34,7 +35,9 @@ class _Definitions(ast.NodeTransformer):
         self.piece, self.own, self.everywhere = piece, own, everywhere
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.AST:
-        _remove(node.args, self.own | self.everywhere if node is self.piece.node else self.everywhere)
+        gone = self.own | self.everywhere if node is self.piece.node else self.everywhere
+        _remove(node.args, gone)
+        _undescribe(node, gone)
         self.generic_visit(node)
         return node
 
@@ -46,8 +49,25 @@ class _Definitions(ast.NodeTransformer):
     def visit_ClassDef(self, node: ast.ClassDef) -> ast.AST:
         gone = self.own | self.everywhere
         node.body = [line for line in node.body if not _declares(line, gone)] or [ast.Pass()]
+        _undescribe(node, gone)
         self.generic_visit(node)
         return node
+
+
+def _undescribe(node: ast.FunctionDef | ast.ClassDef, gone: Collection[str]) -> None:
+    """Remove from a docstring what it says about names that are gone.
+
+    Kernels describe a parameter or field on a line of its own, ``name: what it is``; lines indented deeper belong to
+    it.
+    """
+    first = node.body[0]
+    if not (isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant) and gone):
+        return
+    entry = re.compile(rf"^( *)(?:{'|'.join(map(re.escape, sorted(gone)))}): .*(?:\n\1 +\S.*)*\n", re.MULTILINE)
+    text = str(first.value.value)
+    found = entry.sub("", text)
+    if found != text:
+        first.value = ast.Constant(found)
 
 
 def _declares(line: ast.stmt, names: Collection[str]) -> bool:

@@ -6,13 +6,19 @@ from collections.abc import Iterable, Mapping
 
 from derive.emit.backends import External
 from derive.emit.pieces import Piece
-from derive.emit.scene import Scene
+from derive.emit.scene import CASES, Scene
 
 
 def domain_text(scene: Scene) -> str:
     """Where the module is valid, in its remaining parameters."""
     bounds = {"beta": "beta >= 0", "eta": "eta >= 0", "length": "length > 0", "clamp_angle": "any clamp_angle"}
     return ", ".join(bounds[name] for name in scene.parameters if name in bounds) or "no parameter is left"
+
+
+def case_text(scene: Scene) -> str:
+    """The load case, and the load that it has not."""
+    absent = [f"{name} = {value}" for name, value in CASES[scene.case].items() if name != "field_angle"]
+    return ", ".join([scene.case.replace("_", " "), *absent])
 
 
 def public_names(scene: Scene, pieces: Mapping[str, Piece], names: Iterable[str]) -> list[str]:

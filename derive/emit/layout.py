@@ -9,6 +9,7 @@ import ast
 import io
 import tokenize
 from collections.abc import Iterator, Sequence
+from inspect import cleandoc
 from typing import Any
 
 from derive.emit.style import expression, wrap
@@ -186,10 +187,10 @@ def expression_text(header: str) -> str:
 
 
 def _docstring(text: str, indent: str) -> Iterator[str]:
-    first, *rest = text.splitlines()
+    first, *rest = cleandoc(text).splitlines()
     if not rest:
         yield f'{indent}"""{first}"""'
         return
     yield f'{indent}"""{first}'
-    yield from (indent + line.strip() if line.strip() else "" for line in rest)
+    yield from (indent + line if line else "" for line in rest)
     yield f'{indent}"""'

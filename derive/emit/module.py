@@ -12,7 +12,7 @@ from sympy import srepr
 
 from derive.emit.backends import BACKENDS, FUNCTIONS
 from derive.emit.errors import EmitError
-from derive.emit.head import domain_text, export_lines, fill, from_import, import_lines, public_names
+from derive.emit.head import case_text, domain_text, export_lines, fill, from_import, import_lines, public_names
 from derive.emit.layout import lines_of
 from derive.emit.library import Library, read_kernels
 from derive.emit.lower import lower
@@ -91,7 +91,7 @@ def _context(
         "title": scene.title,
         "arithmetic": twin.title,
         "scene": scene.name,
-        "case": scene.case.replace("_", " "),
+        "case": case_text(scene),
         "outputs": ", ".join(scene.outputs),
         "domain": domain_text(scene),
         "folded": ", ".join(f"{name} = {value}" for name, value in scene.constants.items()),

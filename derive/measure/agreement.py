@@ -2,7 +2,7 @@
 
 A solver in double precision cannot be better than its inputs: moving them by one rounding u = 2**-53 moves a quantity Q
 by u·Σ|p ∂Q/∂p|, and writing Q down costs u times its natural size (1 for angles, ℓ for places, √(β+η) for curvatures,
-(β+η)ℓ for energies). Errors are given in multiples of the sum of both; 1 is as good as doubles can be.
+(β+η)ℓ for energies, β+η for γ). Errors are given in multiples of the sum of both; 1 is as good as doubles can be.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from typing import Any
 from mpmath import mp, mpf
 
 from derive.measure.reference import DIGITS, FRACTIONS, Reference, Rod
+from derive.measure.sweeps import sweep_faults
 
 DOUBLE = 2.0**-53
 # Digits at which the mpmath twins are run; the references have 40.
@@ -25,7 +26,9 @@ TWIN_DIGITS = 30
 # what is measured on moderate rods is 10 at most, and a rod near a fold may cost some more.
 ROUNDINGS = 200.0
 
-QUANTITIES = ("tip_angle", "clamp_curvature", "y", "z", "energy", "theta(s)", "curvature(s)", "y(s)", "z(s)")
+# Of an equilibrium, and of its shape at the arc lengths `FRACTIONS`.
+QUANTITIES = ("tip_angle", "clamp_curvature", "gamma", "y", "z", "energy")
+SHAPE = ("theta", "curvature", "y", "z")
 
 
 @dataclass(frozen=True)
@@ -64,18 +67,25 @@ class Agreement:
 
 def agreement(module: ModuleType, references: Iterable[tuple[Rod, list[Reference]]], unit: float = DOUBLE) -> Agreement:
     """The worst errors of a module over some rods and all their equilibria; unit is the module's rounding."""
-    result = Agreement()
+    result, given, found = Agreement(), [], []
     for rod, known in references:
         try:
-            enter(result, module, rod, known, unit)
+            with mp.workdps(TWIN_DIGITS):  # also where the scene makes no output of equilibria, and it takes no dps
+                equilibria = module.equilibria(**arguments(module.equilibria, rod))
+            enter(result, module, equilibria, known, unit)
         except Exception as error:  # whatever a module raises on a valid rod is its fault
             result.faults.append(f"it fails with {type(error).__name__}: {error} at {rod}")
+        else:
+            given.append(rod)
+            found.append(equilibria)
+    if hasattr(module, "sweep") and given:
+        result.faults += sweep_faults(module, [arguments(module.sweep, rod) for rod in given], found)
     return result
 
 
-def enter(result: Agreement, module: ModuleType, rod: Rod, known: list[Reference], unit: float) -> None:
-    """Enter what a module finds for one rod."""
-    found = module.equilibria(**arguments(module.equilibria, rod))
+def enter(result: Agreement, module: ModuleType, found: list[Any], known: list[Reference], unit: float) -> None:
+    """Enter what a module finds for one rod; there is always an equilibrium."""
+    rod = known[0].rod
     if len(found) != len(known):
         result.faults.append(f"{len(found)} equilibria instead of {len(known)} at {rod}")
         return
@@ -95,13 +105,12 @@ def arguments(function: Callable[..., Any], rod: Rod) -> dict[str, Any]:
 
 def answers(module: ModuleType, equilibrium: Any, rod: Rod) -> dict[str, Any]:
     """All quantities that the module gives for one equilibrium, by the references' names."""
-    names = ("tip_angle", "clamp_curvature", "y", "z", "energy")
-    values = {name: getattr(equilibrium, name) for name in names if hasattr(equilibrium, name)}
+    values = {name: getattr(equilibrium, name) for name in QUANTITIES}
     if hasattr(module, "shape"):
         digits = {name: value for name, value in arguments(module.shape, rod).items() if name == "dps"}
         for fraction in FRACTIONS:
             shape = module.shape(equilibrium, fraction * rod.length, **digits)
-            for name in ("theta", "curvature", "y", "z"):
+            for name in SHAPE:
                 values[f"{name}({fraction}ℓ)"] = getattr(shape, name)
     return values
 
@@ -130,6 +139,8 @@ def natural_size(quantity: str, rod: Rod) -> float:
             return 1.0
         case "curvature" | "clamp_curvature":
             return sqrt(stiffness) or 1.0
+        case "gamma":
+            return stiffness or 1.0
         case "energy":
             return stiffness * rod.length or 1.0
         case _:

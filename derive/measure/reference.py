@@ -113,12 +113,15 @@ def walk(rod: Rod, tip: Any, digits: int, *, interior: bool = True, more_terms: 
 def quantities(rod: Rod, path: Path) -> dict[str, Any]:
     """All that a solver is asked for, by name; at interior points measured from the clamp."""
     clamp = path.clamp
+    beta, eta, field_angle = mpf(rod.beta), mpf(rod.eta), mpf(rod.field_angle)
     values = {
         "tip_angle": path.tip_angle,
         "clamp_curvature": clamp.curvature,
+        # What the first integral is, from the state at the clamp; a solver has it from the tip.
+        "gamma": clamp.curvature**2 + 2 * beta * mp.cos(clamp.theta) + eta * mp.cos(clamp.theta - field_angle) ** 2,
         "y": clamp.y,
         "z": clamp.z,
-        "energy": clamp.energy - mpf(rod.beta) * clamp.y,
+        "energy": clamp.energy - beta * clamp.y,
     }
     for point, fraction in zip(path.points, reversed(FRACTIONS), strict=False):
         values[f"theta({fraction}ℓ)"] = point.theta

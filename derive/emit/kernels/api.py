@@ -40,9 +40,12 @@ class Sweep:
 def equilibria(beta, eta, length, clamp_angle) -> list[Equilibrium]:
     """All equilibria of one rod, sorted by tip angle.
 
-    beta: terminal force over bending stiffness, F/(EI) ≥ 0. eta: magnetic modulus over bending stiffness, η̃/(EI) ≥ 0.
-    length: > 0. clamp_angle: θ(0), the angle from the y axis to the tangent at the clamp, in radians. All in one
-    unit of length. Raises TypeError or ValueError, naming the argument, before any work.
+    beta: terminal force over bending stiffness, F/(EI) ≥ 0.
+    eta: magnetic modulus over bending stiffness, η̃/(EI) ≥ 0.
+    length: length of the rod, > 0.
+    clamp_angle: θ(0), the angle from the y axis to the tangent at the clamp, in radians.
+
+    All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """
     check(beta, eta, length, clamp_angle)
     return all_equilibria(

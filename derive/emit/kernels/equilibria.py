@@ -65,7 +65,7 @@ def bent_rod(rod, clamp, tip, crossing):
     gamma = tip_gamma(rod.beta, rod.eta, (tip.half_cosine - tip.half_sine) * (tip.half_cosine + tip.half_sine))
     curvature = crossing.sign * sqrt(max(curvature_squared(tip.drop, tip.level), 0))
     return Equilibrium(
-        2 * pi * rod.turns + (2 * pi - tip.angle if rod.mirrored else tip.angle),
+        2 * pi * (rod.turns + 1) - tip.angle if rod.mirrored else 2 * pi * rod.turns + tip.angle,
         curvature if rod.mirrored else -curvature,
         gamma,
         arc.y,

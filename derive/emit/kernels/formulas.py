@@ -16,7 +16,7 @@ from derive.emit.kernels.carlson_each import rc, rd, rj
 def tip_drive(beta, eta, xi_tip):
     """θ″(ℓ)/sin θ(ℓ): how fast the curvature leaves zero at the tip.
 
-    Equation exsl22; proved as tip.parallel.tip_drive.
+    Equation exsl6; proved as tip.parallel.tip_drive.
     """
     return beta + eta * xi_tip
 
@@ -24,7 +24,7 @@ def tip_drive(beta, eta, xi_tip):
 def tip_gap(beta, eta, minus):
     """−f̂(−1)/(1 + ξ(ℓ)): its sign tells whether the orbit stops before ξ = −1.
 
-    Equation exsl22; proved as tip.parallel.tip_gap.
+    Equation exsl13; proved as tip.parallel.tip_gap.
     """
     return eta * minus - 2 * beta
 
@@ -32,7 +32,7 @@ def tip_gap(beta, eta, minus):
 def tip_gamma(beta, eta, xi_tip):
     """γ of the first integral, such that the curvature vanishes at the tip.
 
-    Equation exsl22; proved as tip.parallel.tip_gamma.
+    Equation exsl23; proved as tip.parallel.tip_gamma.
     """
     return 2 * beta * xi_tip + eta * xi_tip * xi_tip
 
@@ -40,7 +40,7 @@ def tip_gamma(beta, eta, xi_tip):
 def point_level(beta, eta, xi_tip, xi):
     """f̂(ξ)/(ξ(ℓ) − ξ).
 
-    Equation exsl22; proved as tip.parallel.point_level.
+    Equation exsl13; proved as tip.parallel.point_level.
     """
     return 2 * beta + eta * (xi_tip + xi)
 
@@ -48,7 +48,7 @@ def point_level(beta, eta, xi_tip, xi):
 def curvature_squared(drop, level):
     """θ′², the square of the curvature: f̂(ξ).
 
-    Equation exsl22; proved as tip.parallel.curvature_squared.
+    Equation exsl8; proved as tip.parallel.curvature_squared.
     """
     return drop * level
 
@@ -56,7 +56,7 @@ def curvature_squared(drop, level):
 def pole_strength(plus, minus, drive):
     """b = f′(ξ(ℓ))/4: ξ = ξ(ℓ) + b/(℘ − c).
 
-    Equation exsl22; proved as tip.parallel.pole_strength.
+    Equation exsl17; proved as tip.parallel.pole_strength.
     """
     return -0.5 * plus * minus * drive
 
@@ -64,7 +64,7 @@ def pole_strength(plus, minus, drive):
 def root_plus(plus, drive):
     """The half-period value e_plus less c.
 
-    Equation exsl22; proved as tip.parallel.root_plus.
+    Equation exsl16; proved as tip.parallel.root_plus.
     """
     return -0.5 * plus * drive
 
@@ -72,7 +72,7 @@ def root_plus(plus, drive):
 def root_minus(minus, drive):
     """The half-period value e_minus less c.
 
-    Equation exsl22; proved as tip.parallel.root_minus.
+    Equation exsl16; proved as tip.parallel.root_minus.
     """
     return 0.5 * minus * drive
 
@@ -80,7 +80,7 @@ def root_minus(minus, drive):
 def root_other(eta, plus, minus):
     """The half-period value e_other less c.
 
-    Equation exsl22; proved as tip.parallel.root_other.
+    Equation exsl16; proved as tip.parallel.root_other.
     """
     return 0.25 * eta * plus * minus
 
@@ -88,7 +88,7 @@ def root_other(eta, plus, minus):
 def gap_minus_plus(drive):
     """e_minus − e_plus.
 
-    Equation exsl22; proved as tip.parallel.gap_minus_plus.
+    Proved as tip.parallel.gap_minus_plus.
     """
     return drive
 
@@ -96,7 +96,7 @@ def gap_minus_plus(drive):
 def gap_other_plus(beta, eta, plus):
     """e_other − e_plus.
 
-    Equation exsl22; proved as tip.parallel.gap_other_plus.
+    Proved as tip.parallel.gap_other_plus.
     """
     return 0.25 * plus * (2 * beta + eta * plus)
 
@@ -104,7 +104,7 @@ def gap_other_plus(beta, eta, plus):
 def gap_other_minus(minus, gap):
     """e_other − e_minus.
 
-    Equation exsl22; proved as tip.parallel.gap_other_minus.
+    Proved as tip.parallel.gap_other_minus.
     """
     return 0.25 * minus * gap
 
@@ -144,7 +144,7 @@ def point_pole(plus, minus, drive, drop):
 def side_moment(beta, eta):
     """θ″/sin θ towards θ = π.
 
-    Equation exsl22; proved as tip.parallel.side_moment.
+    Equation exsl6; proved as tip.parallel.side_moment.
     """
     return beta - eta
 
@@ -152,7 +152,7 @@ def side_moment(beta, eta):
 def moment_from_side(eta, side, plus):
     """θ″/sin θ at the angle with offset 1 + cos θ.
 
-    Equation exsl22; proved as tip.parallel.moment_from_side.
+    Equation exsl6; proved as tip.parallel.moment_from_side.
     """
     return side + eta * plus
 
@@ -160,7 +160,7 @@ def moment_from_side(eta, side, plus):
 def moment_from_top(beta, eta, minus):
     """θ″/sin θ at the angle with offset 1 − cos θ.
 
-    Equation exsl22; proved as tip.parallel.moment_from_top.
+    Equation exsl6; proved as tip.parallel.moment_from_top.
     """
     return beta + eta - eta * minus
 
@@ -168,7 +168,7 @@ def moment_from_top(beta, eta, minus):
 def gap_from_side(eta, side, plus):
     """−f̂(−1)/(1 + ξ(ℓ)) from the offset 1 + ξ(ℓ).
 
-    Equation exsl22; proved as tip.parallel.gap_from_side.
+    Equation exsl13; proved as tip.parallel.gap_from_side.
     """
     return -eta * plus - 2 * side
 
@@ -176,7 +176,7 @@ def gap_from_side(eta, side, plus):
 def drive_between(eta, drop, level):
     """β + Hξ(ℓ) from f̂ at the clamp: the slope of f̂ at the tip is −2 times it.
 
-    Equation exsl22; proved as tip.parallel.drive_between.
+    Equation exsl13; proved as tip.parallel.drive_between.
     """
     return 0.5 * eta * drop + 0.5 * level
 
@@ -184,7 +184,7 @@ def drive_between(eta, drop, level):
 def level_above_gap(eta, one_plus, gap):
     """f̂(ξ)/(ξ(ℓ) − ξ) of an orbit that passes −1.
 
-    Equation exsl22; proved as tip.parallel.level_above_gap.
+    Equation exsl13; proved as tip.parallel.level_above_gap.
     """
     return eta * one_plus - gap
 
@@ -192,7 +192,7 @@ def level_above_gap(eta, one_plus, gap):
 def rising_level(eta, clamp_drive, drop):
     """f̂(ξ)/(ξ(ℓ) − ξ) of a tip near the clamp angle.
 
-    Equation exsl22; proved as tip.parallel.rising_level.
+    Equation exsl13; proved as tip.parallel.rising_level.
     """
     return eta * drop + 2 * clamp_drive
 
@@ -200,7 +200,7 @@ def rising_level(eta, clamp_drive, drop):
 def gap_below(eta, clamp_gap, drop):
     """−f̂(−1)/(1 + ξ(ℓ)) of an orbit that passes −1.
 
-    Equation exsl22; proved as tip.parallel.gap_below.
+    Equation exsl13; proved as tip.parallel.gap_below.
     """
     return clamp_gap - eta * drop
 
@@ -208,7 +208,7 @@ def gap_below(eta, clamp_gap, drop):
 def drop_from_gaps(eta, clamp_gap, gap):
     """ξ(ℓ) − ξ of an orbit that just passes −1.
 
-    Equation exsl22; proved as tip.parallel.drop_from_gaps.
+    Equation exsl13; proved as tip.parallel.drop_from_gaps.
     """
     return (clamp_gap - gap) / eta
 
@@ -216,7 +216,7 @@ def drop_from_gaps(eta, clamp_gap, gap):
 def drop_at_level(eta, clamp_drive, level):
     """ξ(ℓ) − ξ of an orbit that turns near the clamp.
 
-    Equation exsl22; proved as tip.parallel.drop_at_level.
+    Equation exsl13; proved as tip.parallel.drop_at_level.
     """
     return (level - 2 * clamp_drive) / eta
 
@@ -224,7 +224,7 @@ def drop_at_level(eta, clamp_drive, level):
 def cos_bottom(beta, eta):
     """cos θ at which force and field balance, θ″ = 0, off the straight directions.
 
-    Equation exsl22; proved as tip.parallel.cos_bottom.
+    Equation exsl26; proved as tip.parallel.cos_bottom.
     """
     return -beta / eta
 
@@ -232,7 +232,7 @@ def cos_bottom(beta, eta):
 def cos_level(beta, eta):
     """cos θ of the tip whose orbit has its other turning point at −1.
 
-    Equation exsl22; proved as tip.parallel.cos_level.
+    Proved as tip.parallel.cos_level.
     """
     return 1 - 2 * beta / eta
 
@@ -240,7 +240,7 @@ def cos_level(beta, eta):
 def cos_other(beta, eta, xi):
     """ξ_o, the other root of f̂ when ξ is one.
 
-    Equation exsl22; proved as tip.parallel.cos_other.
+    Equation exsl14; proved as tip.parallel.cos_other.
     """
     return -2 * beta / eta - xi
 
@@ -248,7 +248,7 @@ def cos_other(beta, eta, xi):
 def straight_stiffness(beta, eta, xi):
     """The coefficient k of h″ + kh = 0 for small rotations h of a straight rod, cos θ = ξ = ±1.
 
-    Equation exsl22; proved as tip.parallel.straight_stiffness.
+    Proved as tip.parallel.straight_stiffness.
     """
     return eta - beta * xi - 2 * eta * xi * xi
 
@@ -256,7 +256,7 @@ def straight_stiffness(beta, eta, xi):
 def half_angle_squared(plus, minus, x_plus, x_minus):
     """tan²(θ/2) at the point.
 
-    Equation exsl22; proved as tip.parallel.half_angle_squared.
+    Equation exsl12a; proved as tip.parallel.half_angle_squared.
     """
     return minus * x_plus / (plus * x_minus)
 
@@ -264,7 +264,7 @@ def half_angle_squared(plus, minus, x_plus, x_minus):
 def angle(plus, minus, x_plus, x_minus):
     """|θ| at the point, before θ passes 0 or π.
 
-    Equation exsl22; proved as tip.parallel.angle.
+    Equation exsl12a; proved as tip.parallel.angle.
     """
     return 2 * each_atan(each_sqrt(minus) * each_sqrt(x_plus) / (each_sqrt(plus) * each_sqrt(x_minus)))
 
@@ -272,7 +272,7 @@ def angle(plus, minus, x_plus, x_minus):
 def arc_length(x_plus, x_minus, x_other):
     """σ, the length from the tip to the point.
 
-    Equation exsl22; proved as tip.parallel.arc_length.
+    Equation DLMF 19.25.35; proved as tip.parallel.arc_length.
     """
     return rf(x_plus, x_minus, x_other)
 
@@ -280,7 +280,7 @@ def arc_length(x_plus, x_minus, x_other):
 def arc_y(eta, plus, minus, drive, xi_tip, arc, x_plus, x_minus, x_other):
     """∫cos θ dσ from the tip to the point.
 
-    Equation exsl22; proved as tip.parallel.arc_y.
+    Equation exsl36; proved as tip.parallel.arc_y.
     """
     return xi_tip * arc - plus * minus * drive * rj(x_plus, x_minus, x_other, x_other + 0.25 * eta * plus * minus) / 6
 
@@ -288,7 +288,7 @@ def arc_y(eta, plus, minus, drive, xi_tip, arc, x_plus, x_minus, x_other):
 def arc_z(eta, plus, minus, sin_tip, x_other):
     """∫sin θ dσ from the tip to the point, before θ passes 0 or π.
 
-    Equation exsl22; proved as tip.parallel.arc_z.
+    Equation exsl41; proved as tip.parallel.arc_z.
     """
     return sin_tip * rc(x_other, x_other + 0.25 * eta * plus * minus)
 
@@ -296,7 +296,7 @@ def arc_z(eta, plus, minus, sin_tip, x_other):
 def arc_square(beta, eta, plus, minus, drive, gap, xi_tip, arc, x_plus, x_minus, x_other):
     """−2∫ψ dσ = ∫(eta*xi**2) dσ from the tip to the point.
 
-    Equation exsl22; proved as tip.parallel.arc_square.
+    Equation DLMF 19.29(ii); proved as tip.parallel.arc_square.
     """
     return (
         beta * plus * minus * drive * rj(x_plus, x_minus, x_other, x_other + 0.25 * eta * plus * minus) / 6
@@ -313,6 +313,6 @@ def arc_square(beta, eta, plus, minus, drive, gap, xi_tip, arc, x_plus, x_minus,
 def rod_energy(beta, gamma, length, y, square):
     """Energy of the rod over EI: bending, field and force.
 
-    Equation exsl22; proved as tip.parallel.rod_energy.
+    Equation exsl8; proved as tip.parallel.rod_energy.
     """
     return 0.5 * gamma * length - 2 * beta * y - square

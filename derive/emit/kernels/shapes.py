@@ -19,7 +19,7 @@ def angle_and_position(equilibrium, s):
     rod, tip = equilibrium.rod, equilibrium.tip
     angle, turning, y, z = from_tip(rod.beta, rod.eta, tip, rod.length - s)
     if rod.mirrored:
-        angle, turning, z = 2 * pi - angle, -turning, -z
+        return 2 * pi * (rod.turns + 1) - angle, turning, equilibrium.y - y, equilibrium.z + z
     return 2 * pi * rod.turns + angle, -turning, equilibrium.y - y, equilibrium.z - z
 
 
