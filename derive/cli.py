@@ -10,6 +10,12 @@ from pathlib import Path
 USAGE, FAILED, INTERRUPTED = 2, 1, 130
 NUMBERS = ("beta", "eta", "length", "clamp-angle", "field-angle")
 
+CHECK_CODES = (
+    "Exit code 0: every claim of the derivation holds, and every formula has a verdict (REFUTED is one: a finding "
+    "about the article); with --mutants, no wrong variant survives. 1: a claim fails, or a formula is UNKNOWN, "
+    "UNREAD or missing in FILE. 2: a mistake in what was asked, or FILE is no such source."
+)
+
 
 def parser() -> argparse.ArgumentParser:
     """All commands and their options."""
@@ -23,9 +29,12 @@ def parser() -> argparse.ArgumentParser:
     add = commands.add_parser("all", parents=[common], help="the main job (also with no command)")
     add.add_argument("--out", type=Path, metavar="DIR", help="folder for the modules (default: generated)")
 
-    add = commands.add_parser("check", parents=[common], help="judge the derivation and the printed formulas")
+    add = commands.add_parser(
+        "check", parents=[common], help="judge the derivation and the printed formulas", epilog=CHECK_CODES
+    )
     add.add_argument("--paper", type=Path, metavar="FILE", help="read the formulas from a LaTeX source")
     add.add_argument("--only", action="append", default=[], metavar="ID", help="only this formula; may be repeated")
+    add.add_argument("--mutants", action="store_true", help="judge wrong variants of all: each must fail")
 
     add = commands.add_parser("emit", parents=[common], help="write proved solver modules")
     add.add_argument("scenes", nargs="*", metavar="SCENE.toml", help="scene file or name (default: all shipped)")
@@ -58,10 +67,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if not given or (given[0].startswith("-") and given[0] not in ("-h", "--help")):
         given = ["all", *given]
     options = parser().parse_args(given)
-    from derive import commands
+    from derive import commands, commands_check
 
+    place = commands_check if options.command == "check" else commands
     try:
-        code: int = getattr(commands, f"run_{options.command}")(options)
+        code: int = getattr(place, f"run_{options.command}")(options)
         return code
     except KeyboardInterrupt:
         print("derive: interrupted; no file was changed by halves", file=sys.stderr)

@@ -19,6 +19,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
 
 from derive import output, pipeline, show, stages
 from derive.cache import Cache, write_atomically
+from derive.measure.loading import load
 from derive.numbers import MistakeError, given_numbers, parameters
 from derive.resources import kernels_folder, shipped_scenes
 from derive.runner import Runner
@@ -73,7 +74,7 @@ def run_emit(options: argparse.Namespace) -> int:
             return failed(job)
         files = emitted_files(runner, job, folder, kernels=not options.out)
     lines = output.drift(files, folder, complete=not options.scenes)
-    sys.stdout.writelines(line if line.endswith("\n") else line + "\n" for line in lines)
+    sys.stdout.writelines(lines)
     save(options.json, {"drift": [line.rstrip("\n") for line in lines]})
     if lines:
         print(f"derive emit: {folder} differs from what the scenes give; run 'derive emit'", file=sys.stderr)
@@ -95,7 +96,7 @@ def write_modules(options: argparse.Namespace, scenes: list[Path], *, paper: boo
     show.show_job(console, job, written, time.perf_counter() - start)
     text = files.get(folder / "parallel_numpy.py")
     if paper and text:
-        equilibria = stages.load(text).equilibria(**PAPERS_ROD)
+        equilibria = load(text).equilibria(**PAPERS_ROD)
         show.show_equilibria(console, equilibria, "β = 0.00035, η = 0.00052, ℓ = 80, clamp angle 3π/4")
     return 0
 
@@ -115,27 +116,6 @@ def emitted_files(runner: Runner, job: pipeline.Job, folder: Path, *, kernels: b
         task = Task("emit", "kernel formulas", stages.emit_formulas, (), stages.emission_paths())
         files[kernels_folder() / "formulas.py"] = runner.results([task], stages.derived)[0]
     return files
-
-
-def run_check(options: argparse.Namespace) -> int:
-    """Verdicts on the derivation and on the printed formulas."""
-    start, source = time.perf_counter(), ""
-    if options.paper:
-        source = latex(options.paper)
-    job = pipeline.Job()
-    with running(options) as runner:
-        formulas = pipeline.printed_formulas(runner, source, options.only)
-        if not options.only:
-            pipeline.judge_theory(runner, job)
-        if job.holds:
-            pipeline.judge_paper(runner, job, formulas)
-    found = {"source": str(options.paper or "ledger"), "counts": show.counts(job.printed), "formulas": job.printed}
-    save(options.json, found)
-    if job.claims:
-        print(f"claims of the derivation: {show.spelled(job.claims)}")
-    show.show_printed(show.console(), job.printed, time.perf_counter() - start)
-    show.show_failures(show.console(stderr=True), job)
-    return 0 if job.holds else 1
 
 
 def run_explain(options: argparse.Namespace) -> int:
@@ -185,7 +165,7 @@ def solver(runner: Runner, name: str) -> ModuleType:
     texts = {module["backend"]: module["text"] for module in job.modules}
     if "numpy" not in texts:
         raise MistakeError(f'{path}: the scene has no NumPy backend; add "numpy" to its backends')
-    return stages.load(texts["numpy"], path.stem)
+    return load(texts["numpy"], path.stem)
 
 
 def shipped() -> list[Path]:

@@ -87,7 +87,7 @@ def show_grounds(console: Console, record: Mapping[str, Any]) -> None:
         console.print(f"  reason: {escape(reason)}", soft_wrap=True)
 
 
-def show_printed(console: Console, formulas: Sequence[Mapping[str, Any]], seconds: float) -> None:
+def show_printed(console: Console, formulas: Sequence[Mapping[str, Any]], not_judged: int, seconds: float) -> None:
     """Verdicts on printed formulas, and the grounds of those that are not proved."""
     table = Table(show_edge=False)
     for heading in ("formula", "line", "verdict", "method", "time"):
@@ -95,14 +95,56 @@ def show_printed(console: Console, formulas: Sequence[Mapping[str, Any]], second
     for formula in formulas:
         line, taken = str(formula.get("line") or ""), f"{formula.get('seconds', 0):.2f} s"
         table.add_row(formula["id"], line, str(formula["verdict"]), escape(formula.get("method", "")), taken)
+    if not_judged:
+        table.add_row(f"{not_judged} others", "", "not judged", "", "")
     console.print(table)
     for formula in formulas:
         if formula["verdict"] not in GOOD:
-            console.print(f"[bold]{formula['id']}[/] {formula['verdict']}")
-            show_grounds(console, formula)
-            if repair := formula.get("repair"):
-                console.print(f"  repair ({repair.get('verdict')}): {escape(str(repair.get('latex')))}")
+            show_finding(console, formula)
     console.print(f"{spelled(formulas)}; {seconds:.1f} s")
+    if not_judged:
+        console.print(f"{not_judged} other displays of the source are not judged yet (--json FILE lists their labels)")
+
+
+def show_finding(console: Console, formula: Mapping[str, Any]) -> None:
+    """A printed formula that does not hold, or has no verdict: its place, its statements, the grounds, the mend."""
+    place = f" (line {formula['line']})" if formula.get("line") else ""
+    console.print(f"[bold]{formula['id']}[/] {formula['verdict']}{place}")
+    wrong = [one for one in formula.get("statements", ()) if one["verdict"] not in GOOD]
+    for statement in wrong or [formula]:
+        console.print(f"  printed: {escape(' '.join(statement['printed'].split()))}", soft_wrap=True)
+        show_grounds(console, statement)
+        if repair := statement.get("repair"):
+            how = f"{' and '.join(repair['edits'])}; {repair['tried']} tried"
+            console.print(f"  repair ({repair['verdict']}; {how}): {escape(repair['latex'])}", soft_wrap=True)
+        elif statement["verdict"] == "REFUTED":
+            console.print("  repair: no small edit was found that is proved")
+
+
+def show_differences(console: Console, differences: Sequence[Mapping[str, Any]]) -> None:
+    """Where a source and the ledger say other things."""
+    for one in differences:
+        if one["kind"] == "differs":
+            console.print(f"[bold]{one['id']}[/] (line {one['line']}) differs from the ledger; the source is judged")
+        else:
+            console.print(f"[bold]{one['id']}[/] is {one['kind']}")
+
+
+def show_mutants(
+    console: Console, kinds: Mapping[str, Mapping[str, int]], survivors: Sequence[Mapping[str, Any]], seconds: float
+) -> None:
+    """What became of the mutants, by kind of change; survivors one by one."""
+    table = Table(show_edge=False)
+    table.add_column("kind of mutation")
+    for fate in ("killed", "equivalent", "surviving"):
+        table.add_column(fate, justify="right")
+    for kind, fates in kinds.items():
+        table.add_row(escape(kind), *(str(fates.get(fate, 0)) for fate in ("killed", "equivalent", "surviving")))
+    console.print(table)
+    for one in survivors:
+        console.print(f"[bold red]surviving[/] {one['id']}: {escape(one['mutant'])} ({one['verdict']})", soft_wrap=True)
+        show_grounds(console, one)
+    console.print(f"{seconds:.1f} s")
 
 
 def show_equilibria(console: Console, equilibria: Sequence[Any], title: str) -> None:

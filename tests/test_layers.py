@@ -28,9 +28,10 @@ RANK = {
     "explain": 8,
     "show": 9,
     "commands": 10,
-    "cli": 11,
-    "__main__": 12,
-    "__init__": 12,
+    "commands_check": 11,
+    "cli": 12,
+    "__main__": 13,
+    "__init__": 13,
 }
 ALLOWED_IN_GENERATED = {"numpy", "mpmath"} | set(sys.stdlib_module_names)
 

@@ -12,6 +12,7 @@ import pytest
 from derive.check.misprints import judge_mutant, mutants, same_meaning
 from derive.check.printed import judge_formula, judge_formulas
 from derive.check.report import worst
+from derive.check.survival import mended, of_formula, score
 from derive.check.verdicts import AGREED, DEFINITION, PROVED, REFUTED, UNKNOWN, UNREAD
 from derive.paper import tree as t
 from derive.paper.ledger import Record, load_ledger
@@ -148,9 +149,30 @@ def test_mutants_fail(theory, label):
 
 
 @pytest.mark.long
-def test_all_mutants_fail(theory):
-    found = [check(theory, record, m) for label, record in LEDGER.items() if label != "slch5" for m in mutants(record)]
-    assert found.count(REFUTED) > 0.97 * len(found)
+def test_no_mutant_survives_unproved(theory):
+    """Those of the formula that is refuted as printed are made from its repair."""
+    fates = [fate for record in LEDGER.values() for fate in of_formula(theory, record)]
+    assert [fate for fate in fates if fate["fate"] == "surviving"] == []
+    assert {fate["id"] for fate in fates if fate["fate"] == "killed"} == set(LEDGER)
+    assert sum(fate["fate"] == "killed" for fate in fates) > 0.97 * len(fates)
+
+
+def test_the_fates_of_mutants_are_counted(theory):
+    fates = of_formula(theory, LEDGER["slch5"])
+    assert {fate["fate"] for fate in fates} == {"killed"}
+    kinds = score(fates, lambda fate: fate["kind"])
+    assert sum(count["killed"] for count in kinds.values()) == len(fates)
+    assert list(kinds) == sorted(kinds)
+    hopeless = replace(LEDGER["slch5"], latex=r"\kappa_x^2 = \beta^5 \gamma^3 + 7 \beta \xi^3 (\ell)")
+    verdict = judge_formula(theory, hopeless)
+    assert verdict.verdict == REFUTED
+    assert mended(hopeless, verdict) is None
+
+
+def test_a_letter_that_a_section_does_not_have_is_not_read(theory):
+    verdict = printed(theory, "slch10", r"\beta^2 +", r"\eta^2 +")
+    assert verdict.verdict == UNREAD
+    assert "not declared" in verdict.reason
 
 
 def test_mutants_are_printed_as_they_are_judged():

@@ -15,8 +15,8 @@ LARGE = 400  # terms beyond which a polynomial is not factored
 
 
 def by_assumptions(expr: sp.Expr) -> int | None:
-    """What SymPy knows from the assumptions of symbols alone."""
-    if expr.is_zero:
+    """What SymPy knows from the assumptions of one symbol; of larger expressions it may take forever to say it."""
+    if expr == 0:
         return 0
     if expr.is_Rational or expr.is_Symbol or expr.is_number:
         return 1 if expr.is_positive else -1 if expr.is_negative else None

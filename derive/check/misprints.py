@@ -6,14 +6,14 @@ side by side, which is itself proved (``(-b)²`` for ``b²``).
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
 from derive.check.judge import judge
-from derive.check.printed import judge_statement
 from derive.check.readings import readings
 from derive.check.report import StatementVerdict
+from derive.check.statements import judge_statement
 from derive.check.verdicts import PROVED
 from derive.paper import tree as t
 from derive.paper.conventions import scope as conventions_of
@@ -28,6 +28,8 @@ SWAPS = {
     "g_2": ("g_3",), "g_3": ("g_2",), "b": ("c",), "c": ("b",), "y": ("z",), "z": ("y",),
     "ell": ("s",), "e_x": ("e_y",),
 }  # fmt: skip
+
+Own = Callable[[t.Node], Iterable[tuple[str, t.Node]]]
 
 
 @dataclass(frozen=True)
@@ -47,15 +49,16 @@ def mutants(record: Record) -> list[Mutant]:
     names = set(conventions_of(scope).by_name)
     found: dict[tuple[int, t.Statement], Mutant] = {}
     for number, statement in enumerate(printed):
-        for change, mutant in _of_statement(statement, names):
+        for change, mutant in variants(statement, lambda node: own_changes(node, names)):
             if mutant not in printed and (number, mutant) not in found:
                 found[number, mutant] = Mutant(change, number, mutant, to_latex(mutant, scope))
     return list(found.values())
 
 
-def _of_statement(statement: t.Statement, names: set[str]) -> Iterator[tuple[str, t.Statement]]:
+def variants(statement: t.Statement, own: Own) -> Iterator[tuple[str, t.Statement]]:
+    """A statement with one change: of a node, as ``own`` gives them, of a side's sign, or of a relation."""
     for n, side in enumerate(statement.sides):
-        changed = list(_of_node(side, names))
+        changed = list(_of_node(side, own))
         tends = n == 0 and statement.operators[0] == "->"  # −b → 0 says what b → 0 says
         if side != t.Number(0) and not isinstance(side, t.Signed) and not tends:
             changed.append(("sign", t.Signed("-", side)))
@@ -67,16 +70,17 @@ def _of_statement(statement: t.Statement, names: set[str]) -> Iterator[tuple[str
             yield "relation", replace(statement, operators=turned)
 
 
-def _of_node(node: t.Node, names: set[str]) -> Iterator[tuple[str, t.Node]]:
+def _of_node(node: t.Node, own: Own) -> Iterator[tuple[str, t.Node]]:
     """The changes of a node itself, then those of its parts."""
-    yield from _own(node, names)
+    yield from own(node)
     parts = node.parts()
     for n, part in enumerate(parts):
-        for change, mutant in _of_node(part, names):
+        for change, mutant in _of_node(part, own):
             yield change, node.with_parts((*parts[:n], mutant, *parts[n + 1 :]))
 
 
-def _own(node: t.Node, names: set[str]) -> Iterator[tuple[str, t.Node]]:
+def own_changes(node: t.Node, names: set[str]) -> Iterator[tuple[str, t.Node]]:
+    """The changes of a node itself; its parts stay."""
     match node:
         case t.Number(value=value):
             yield "number", replace(node, value=value + 1)
@@ -84,7 +88,7 @@ def _own(node: t.Node, names: set[str]) -> Iterator[tuple[str, t.Node]]:
             yield from (("symbol", replace(node, name=new)) for new in SWAPS.get(name, ()) if new in names)
         case t.Sum(terms=terms):
             for n, term in enumerate(terms):
-                yield "sign", t.Sum((*terms[:n], _turned(term), *terms[n + 1 :]))
+                yield "sign", t.Sum((*terms[:n], turned(term), *terms[n + 1 :]))
                 rest = (*terms[:n], *terms[n + 1 :])
                 yield "term", rest[0] if len(rest) == 1 else t.Sum(rest)
         case t.Product(factors=factors):
@@ -104,7 +108,8 @@ def _own(node: t.Node, names: set[str]) -> Iterator[tuple[str, t.Node]]:
             yield "root", of
 
 
-def _turned(term: t.Node) -> t.Node:
+def turned(term: t.Node) -> t.Node:
+    """A term with the other sign."""
     return term.of if isinstance(term, t.Signed) else t.Signed("-", term)
 
 

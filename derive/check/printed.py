@@ -1,39 +1,21 @@
-"""The printed formulas judged: each statement, in each of its readings, as claims for ``judge``.
-
-How a chain of relations is read:
-
-- ``A = B``: an equality of the theory's expressions; with ±, that one of the two signs holds.
-- ``A < B``, ``A > B``: a sign, everywhere in the domain.
-- ``A → B``: a limit, for the limit that the text assumes (its hypothesis ``γ → γ_1``). The target of an arrow does
-  not vary, so whatever stands right of an arrow is taken *at* the limit: ``ξ_b → ξ_b = 1 + 2β/η`` says that ξ_b tends
-  to its value at the limit, and that this value is 1 + 2β/η. The verdict's reason says where this was needed.
-
-An equality that holds is a DEFINITION if it introduces a conventional name: the name alone on its first side, under
-no hypothesis. Everything else that is proved is PROVED. Nothing is looked up: verdicts are computed.
-"""
+"""The printed formulas judged, from their LaTeX; what is refuted is repaired where one small edit mends it."""
 
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
-from sympy import MatrixBase, Symbol, nan, oo, zeros, zoo
-
 from derive.check.judge import judge
-from derive.check.meaning import MeaningError, Reading, pm
-from derive.check.readings import readings
-from derive.check.report import FormulaVerdict, RelationVerdict, StatementVerdict, formula_verdict, statement_verdict
-from derive.check.verdicts import DEFINITION, PROVED, UNKNOWN, UNREAD, Verdict
-from derive.paper import tree as t
+from derive.check.repair import repaired
+from derive.check.report import FormulaVerdict, formula_verdict
+from derive.check.statements import Judge, judge_statement
+from derive.check.verdicts import UNREAD
 from derive.paper.errors import ReadError
 from derive.paper.ledger import Record
 from derive.paper.reader import parse
-from derive.theory.claims import Claim, Domain, Equal, Limit, Positive
 
 SECONDS = 20.0  # for one claim
-CONVENTIONAL = {"xi", "b", "c", "varkappa"}  # names that the article chooses; the others are derived in the theory
-Judge = Callable[[Claim], Verdict]
 
 
 def judge_formulas(
@@ -42,19 +24,20 @@ def judge_formulas(
     only: Iterable[str] | None = None,
     progress: Callable[[FormulaVerdict], Any] | None = None,
     seconds: float = SECONDS,
+    mend: bool = True,
 ) -> list[FormulaVerdict]:
-    """The verdict on every record, or on those named; KeyError for a name that is no record."""
+    """The verdict on every record, or on those named, with repairs; KeyError for a name that is no record."""
     chosen = list(records.values()) if only is None else [records[label] for label in only]
     verdicts = []
     for record in chosen:
-        verdicts.append(judge_formula(theory, record, lambda claim: judge(claim, seconds)))
+        verdicts.append(judge_formula(theory, record, lambda claim: judge(claim, seconds), mend=mend))
         if progress is not None:
             progress(verdicts[-1])
     return verdicts
 
 
-def judge_formula(theory: Any, record: Record, decide: Judge = judge) -> FormulaVerdict:
-    """The verdict on one formula: the worst of its statements'."""
+def judge_formula(theory: Any, record: Record, decide: Judge = judge, *, mend: bool = False) -> FormulaVerdict:
+    """The verdict on one formula: the worst of its statements'. mend: look for repairs of those refuted."""
     start = time.perf_counter()
     try:
         if record.scope is None:
@@ -64,110 +47,6 @@ def judge_formula(theory: Any, record: Record, decide: Judge = judge) -> Formula
     except ReadError as error:
         return FormulaVerdict(record.id, record.line, UNREAD, record.latex, "reader", (), None, None, str(error))
     judged = [judge_statement(theory, record, n, statement, given, decide) for n, statement in enumerate(statements)]
+    if mend:
+        judged = repaired(theory, record, judged, statements, given)
     return formula_verdict(record, judged, time.perf_counter() - start)
-
-
-def judge_statement(
-    theory: Any, record: Record, number: int, statement: t.Statement, given: tuple[t.Statement, ...], decide: Judge
-) -> StatementVerdict:
-    """The verdict on one statement: the worst of its relations', in all readings."""
-    start = time.perf_counter()
-    found: list[RelationVerdict] = []
-    try:
-        for reading in readings(theory, record.scope or "", statement.sides, given):
-            _check_given(reading, given, decide)
-            for title, claim, note in claims_of(statement, reading, given, f"{record.id}.{number + 1}"):
-                found.append(RelationVerdict(f"{title} ({reading.title})", decide(claim), note))
-    except ValueError as reason:  # MeaningError, or an expression that SymPy cannot form
-        found.append(RelationVerdict("meaning", Verdict(record.id, UNKNOWN, "none", None, str(reason))))
-    defines = not given and _introduces(statement)
-    passed = bool(found) and all(relation.verdict.verdict == PROVED for relation in found)
-    latex = record.latex[statement.span[0] : statement.span[1]] if statement.span[1] else ""
-    return statement_verdict(latex, found, time.perf_counter() - start, DEFINITION if defines and passed else None)
-
-
-def _introduces(statement: t.Statement) -> bool:
-    """Is the first side a conventional name, alone (ϰ also at its variable), and every relation an equality?"""
-    first = statement.sides[0]
-    name = first.name if isinstance(first, t.Name) else ""
-    if isinstance(first, t.Call) and first.name == "varkappa" and isinstance(first.args[0], t.Name):
-        name = first.name
-    return name in CONVENTIONAL and set(statement.operators) == {"="}
-
-
-def _check_given(reading: Reading, given: tuple[t.Statement, ...], decide: Judge) -> None:
-    """Equalities that the text assumes must hold in the reading; MeaningError if the theory says otherwise."""
-    for statement in given:
-        if "->" in statement.operators:
-            continue
-        for title, claim, _ in claims_of(statement, reading, (), "given"):
-            if decide(claim).verdict != PROVED:
-                raise MeaningError(f"the hypothesis '{title}' does not hold in the theory ({reading.title})")
-
-
-def claims_of(
-    statement: t.Statement, reading: Reading, given: tuple[t.Statement, ...], stem: str
-) -> Iterator[tuple[str, Claim, str]]:
-    """The claims that a statement makes in a reading: what each says, the claim, and how it had to be read."""
-    values = [_finite(reading.of(side)) for side in statement.sides]
-    limit: tuple[Symbol, Any, str] | None = None
-    note = ""
-    for n, operator in enumerate(statement.operators):
-        left, right = values[n], values[n + 1]
-        if operator == "->":
-            limit = limit or _limit(reading, given)
-            variable, point, side = limit
-            at_limit = _at(right, limit)
-            if at_limit != right:
-                note = f"right of the arrow, what depends on {variable} is taken at the limit {variable} = {point}"
-            relation: Any = Limit(left, variable, point, at_limit, side)
-            domain = reading.domain
-            values[n + 1 :] = [_at(value, limit) for value in values[n + 1 :]]
-        else:
-            relation = _relation(operator, left, right)
-            domain = reading.domain if limit is None else _without(reading.domain, limit[0])
-        yield f"{n + 1}: {operator}", Claim(f"{stem}.{n + 1}", "as printed", relation, domain, source=stem), note
-
-
-def _finite(value: Any) -> Any:
-    if value.has(oo, -oo, zoo, nan):
-        raise MeaningError("a side is infinite or undefined, say by a division by 0")
-    return value
-
-
-def _relation(operator: str, left: Any, right: Any) -> Equal | Positive:
-    if operator == "=":
-        return _equality(left, right)
-    if operator in "<>":
-        return Positive(right - left if operator == "<" else left - right)
-    raise MeaningError(f"the relation '{operator}' is not judged yet")
-
-
-def _equality(left: Any, right: Any) -> Equal:
-    """left = right; with ± on one side or both, that one choice of the sign gives equality."""
-    vector = next((side for side in (left, right) if isinstance(side, MatrixBase)), None)
-    if vector is not None:
-        left, right = (zeros(*vector.shape) if side == 0 else side for side in (left, right))
-    gap = left - right
-    if vector is not None or not gap.has(pm):
-        return Equal(left, right)
-    return Equal(gap.subs(pm, 1) * gap.subs(pm, -1), 0)
-
-
-def _limit(reading: Reading, given: tuple[t.Statement, ...]) -> tuple[Symbol, Any, str]:
-    """Variable, point and side of the limit that the text assumes; MeaningError if there is none, or two."""
-    arrows = [statement for statement in given if statement.operators == ("->",)]
-    if len(arrows) != 1 or reading.constant is None or reading.ends is None:
-        raise MeaningError("an arrow needs one limit among the hypotheses of the text")
-    variable, point = (reading.of(side) for side in arrows[0].sides)
-    if variable != reading.constant or point not in reading.ends:
-        raise MeaningError(f"the limit {variable} → {point} is not at an end of the range of {reading.constant}")
-    return variable, point, "+" if point == reading.ends[0] else "-"
-
-
-def _at(value: Any, limit: tuple[Symbol, Any, str]) -> Any:
-    return value.subs(limit[0], limit[1])
-
-
-def _without(domain: Domain, variable: Symbol) -> Domain:
-    return Domain({s: r for s, r in domain.ranges.items() if s != variable}, domain.conditions)

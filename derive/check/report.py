@@ -44,7 +44,7 @@ class RelationVerdict:
 
 @dataclass(frozen=True)
 class StatementVerdict:
-    """One statement: printed is its LaTeX; relations are all that was judged for it."""
+    """One statement: printed is its LaTeX; relations are all that was judged for it; repair as in ``repair``."""
 
     printed: str
     verdict: VERDICTS
@@ -53,11 +53,13 @@ class StatementVerdict:
     counterexample: dict[str, str] | None = None
     reason: str = ""
     seconds: float = 0.0
+    repair: dict[str, Any] | None = None
 
     def to_json(self) -> dict[str, Any]:
         """Plain values, for JSON."""
         relations = [relation.to_json() for relation in self.relations]
-        return _plain(self, "printed", "verdict", "method", "counterexample", "reason", "seconds", relations=relations)
+        names = ("printed", "verdict", "method", "counterexample", "repair", "reason", "seconds")
+        return _plain(self, *names, relations=relations)
 
 
 @dataclass(frozen=True)
@@ -71,7 +73,7 @@ class FormulaVerdict:
     method: str
     statements: tuple[StatementVerdict, ...]
     counterexample: dict[str, str] | None = None
-    repair: dict[str, str] | None = None
+    repair: dict[str, Any] | None = None
     reason: str = ""
     seconds: float = 0.0
 
@@ -126,7 +128,7 @@ def formula_verdict(record: Record, statements: Sequence[StatementVerdict], seco
         method,
         tuple(statements),
         decides.counterexample,
-        None,
+        decides.repair,
         reason,
         seconds,
     )

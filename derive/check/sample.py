@@ -20,6 +20,7 @@ from derive.theory import functions as fn
 from derive.theory.claims import Domain
 
 MEMBERSHIP_DIGITS = 20
+DRAWING_DIGITS = 30  # more than the ends have, so that rounding does not carry a point onto an end
 MARGIN = mp.mpf(10) ** -15  # relative distance that a point keeps from the ends of its ranges
 ATTEMPTS = 400  # rejections before a domain is held to be empty
 
@@ -148,7 +149,8 @@ class Sampler:
             low = int(max(lower, -9)) + 1
             return sp.Integer(self.random.randint(low, max(low, int(min(upper, low + 9)))))
         if symbol not in self.domain.ranges and symbol.is_Symbol and symbol.is_extended_real is None:
-            return self._between(-mp.inf, mp.inf) + sp.I * self._between(-mp.inf, mp.inf)
+            real, imaginary = self._between(-mp.inf, mp.inf), self._between(-mp.inf, mp.inf)
+            return None if real is None or imaginary is None else real + sp.I * imaginary
         return self._between(lower, upper)
 
     def _ends(self, symbol: sp.Expr, point: ExactPoint) -> tuple[Any, Any]:
@@ -170,30 +172,35 @@ class Sampler:
             return None
         return value if mp.im(value) == 0 else None
 
-    def _between(self, lower: Any, upper: Any) -> sp.Rational:
+    def _between(self, lower: Any, upper: Any) -> sp.Rational | None:
         """An exact number strictly inside: anywhere in a finite range, over several magnitudes in an infinite one."""
         step = mp.mpf(self.random.randint(1, 9998)) / 9999
         if self.random.random() < 0.3:  # near an end
             step = step**3 if step < 0.5 else 1 - (1 - step) ** 3
         size = mp.mpf(10) ** self.random.uniform(-1.3, 1.3)
-        if mp.isinf(lower) and mp.isinf(upper):
-            value = size * self.random.choice((-1, 1))
-        elif mp.isinf(upper):
-            value = lower + size
-        elif mp.isinf(lower):
-            value = upper - size
-        else:
-            value = lower + (upper - lower) * step
-        return _short(value, lower, upper)
+        sign = self.random.choice((-1, 1)) if mp.isinf(lower) and mp.isinf(upper) else 0
+        with mp.workdps(DRAWING_DIGITS):
+            if sign:
+                value = size * sign
+            elif mp.isinf(upper):
+                value = lower + size
+            elif mp.isinf(lower):
+                value = upper - size
+            else:
+                value = lower + (upper - lower) * step
+            return _short(value, lower, upper)
 
 
-def _short(value: Any, lower: Any, upper: Any) -> sp.Rational:
-    """A short exact number near a value and still between the ends."""
+def _short(value: Any, lower: Any, upper: Any) -> sp.Rational | None:
+    """A short exact number near a value and between the ends; None if rounding leaves none that surely is."""
     for digits in (4, 8, 16):
-        text = mp.nstr(value, digits)
+        near = mp.mpf(mp.nstr(value, digits))
         margin = MARGIN * (1 + abs(value))
-        if lower + margin < mp.mpf(text) < upper - margin:
-            return sp.Rational(text)
+        if lower + margin < near < upper - margin:
+            return sp.Rational(mp.nstr(value, digits))
+    slack = MARGIN * sum(abs(end) for end in (lower, upper) if not mp.isinf(end))
+    if not lower + slack < value < upper - slack:
+        return None
     return sp.Rational(*libmp.to_rational(mp.mpf(value)._mpf_))
 
 

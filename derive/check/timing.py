@@ -1,7 +1,11 @@
-"""A time limit on work in this process, by an alarm; without one where the system or the thread has no alarms."""
+"""A time limit on work in this process: by an alarm in the main thread, in any other by an exception sent to it.
+
+Both come between two steps of the interpreter. One step that takes forever, in compiled code, is not ended.
+"""
 
 from __future__ import annotations
 
+import ctypes
 import signal
 import threading
 from collections.abc import Iterator
@@ -16,13 +20,21 @@ class TimeLimit(BaseException):
 @contextmanager
 def limited(seconds: float | None) -> Iterator[None]:
     """Raise TimeLimit in the body after so many seconds."""
-    usable = hasattr(signal, "setitimer") and threading.current_thread() is threading.main_thread()
-    if seconds is None or not usable:
+    if seconds is None:
         yield
         return
+    alarms = hasattr(signal, "setitimer") and threading.current_thread() is threading.main_thread()
+    try:
+        with _alarm(seconds) if alarms else _message(seconds):
+            yield
+    except TimeLimit:
+        raise TimeLimit(f"no proof in {seconds:g} s") from None
 
+
+@contextmanager
+def _alarm(seconds: float) -> Iterator[None]:
     def ring(signum: int, frame: Any) -> None:
-        raise TimeLimit(f"no proof in {seconds:g} s")
+        raise TimeLimit
 
     before = signal.signal(signal.SIGALRM, ring)
     signal.setitimer(signal.ITIMER_REAL, seconds)
@@ -31,3 +43,25 @@ def limited(seconds: float | None) -> Iterator[None]:
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)
+
+
+@contextmanager
+def _message(seconds: float) -> Iterator[None]:
+    """A timer's thread sends TimeLimit to this one, unless this one is done."""
+    thread, lock, done = ctypes.c_ulong(threading.get_ident()), threading.Lock(), False
+
+    def ring() -> None:
+        with lock:
+            if not done:
+                ctypes.pythonapi.PyThreadState_SetAsyncExc(thread, ctypes.py_object(TimeLimit))
+
+    timer = threading.Timer(seconds, ring)
+    timer.daemon = True
+    timer.start()
+    try:
+        yield
+    finally:
+        with lock:
+            done = True
+            ctypes.pythonapi.PyThreadState_SetAsyncExc(thread, None)  # sent, but not yet arrived
+        timer.cancel()
