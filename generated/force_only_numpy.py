@@ -10,7 +10,7 @@ Formulas, each proved equal to its derivation:
     moment_from_side (exsl6), moment_from_top (exsl6), point_minus (exsl22), point_other (exsl22),
     point_plus (exsl22), rod_energy (slch5), side_moment (exsl6), straight_stiffness, tip_gamma (slch6),
     tip_gap (slch4)
-Digest of the inputs: sha256 8b190b99ac1f9a3e5f0f44f65b53ab0ddce289cc9ece39c683598239b2afecd1
+Digest of the inputs: sha256 a5fd15c894422389da5efcfb90268361e235e47d678d357f51a5a8a9122fdfa2
 """
 
 from __future__ import annotations
