@@ -41,6 +41,15 @@ class Job:
         """Claims of the derivation that are neither proved nor agreed."""
         return [claim for claim in self.claims if claim["verdict"] not in GOOD]
 
+    def origins(self) -> list[dict[str, Any]]:
+        """Failed claims that rest, at however many steps, on no other failed claim: where to look first."""
+        failed = {claim["id"] for claim in self.failed_claims()}
+        tainted: set[str] = set()
+        for claim in self.claims:  # steps name earlier claims only
+            if any(step in failed or step in tainted for step in claim["steps"]):
+                tainted.add(claim["id"])
+        return [claim for claim in self.failed_claims() if claim["id"] not in tainted]
+
     def failed_printed(self) -> list[dict[str, Any]]:
         """Printed formulas on which there is no verdict."""
         return [formula for formula in self.printed if formula["verdict"] in GAVE_UP]
@@ -56,7 +65,8 @@ def judge_theory(runner: Runner, job: Job) -> None:
     listed = runner.result(Task("theory", "derivation", stages.list_claims, (), stages.THEORY))
     tasks = [Task("check", c["id"], stages.judge_claim, (c["id"],), stages.CHECK) for c in listed["claims"]]
     job.broken = listed["broken"]
-    job.claims = runner.results(tasks, stages.derived)
+    verdicts = runner.results(tasks, stages.derived)
+    job.claims = [{**found, "steps": c["steps"]} for c, found in zip(listed["claims"], verdicts, strict=True)]
 
 
 def printed_formulas(runner: Runner, source: str = "", only: Sequence[str] = ()) -> list[dict[str, Any]]:

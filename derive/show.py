@@ -13,6 +13,7 @@ from rich.table import Table
 
 from derive.pipeline import GOOD, Job
 
+SHOWN = 6  # ids of failures that follow from others
 # In the order of trust.
 ORDER = ("PROVED", "CERTIFIED", "AGREED", "DEFINITION", "REFUTED", "UNKNOWN", "UNREAD")
 
@@ -62,11 +63,16 @@ def error_line(agreed: Mapping[str, Any]) -> str:
 
 def show_failures(console: Console, job: Job) -> None:
     """What keeps the modules from being written, one paragraph each."""
-    for claim in job.failed_claims():
+    origins = job.origins()
+    for claim in origins:
         console.print(
             f"[bold red]{claim['verdict']}[/] claim [bold]{claim['id']}[/]: {escape(claim['title'])}", soft_wrap=True
         )
         show_grounds(console, claim)
+    names = [claim["id"] for claim in job.failed_claims() if claim not in origins]
+    if names:
+        others = f"{', '.join(names[:SHOWN])}{', …' if len(names) > SHOWN else ''}"
+        console.print(f"{len(names)} more that rest on these fail too: {others}", soft_wrap=True)
     if job.broken:
         console.print(f"[bold red]the derivation breaks off[/]: {escape(job.broken)}", soft_wrap=True)
     for formula in job.failed_printed():

@@ -11,6 +11,7 @@ import matplotlib
 matplotlib.use("svg")
 import matplotlib.pyplot as plt
 import numpy as np
+
 from generated.parallel_numpy import equilibria, shape
 
 BETA, ETA, LENGTH, CLAMP = 0.00035, 0.00052, 80.0, 3 * pi / 4

@@ -11,7 +11,7 @@ Formulas, each proved equal to its derivation:
     level_above_gap (slch1), moment_from_side (exsl6), moment_from_top (exsl6), point_minus (exsl22),
     point_other (exsl22), point_plus (exsl22), rising_level (slch1), rod_energy (exsl8), side_moment (exsl6),
     straight_stiffness, tip_gamma (slch3), tip_gap (slch1)
-Digest of the inputs: sha256 7445f0fd4f18af461f066f20056563166de6bb4ac9962b05d2dae623d9f28133
+Digest of the inputs: sha256 82a5c55c4772d8c11e0b784ba2294d83e5a28e262629365a3ddb5e4fefa8c7fc
 """
 
 from __future__ import annotations
@@ -554,7 +554,7 @@ def double_well(eta, clamp):
     """The ranges when V has two wells and the clamp lies in one of them: over the ridge at π, and within the well."""
     level = 2 * atan2(mpf(0), sqrt(eta))
     # A force far below rounding parts off tips from which only a rod of length 150/√η or more comes back.
-    outer = []
+    outer: list[Piece] = []
     if clamp.rest == 0:
         return outer
     turn = 2 * atan2(sqrt(eta * clamp.one_plus), sqrt(clamp.gap))

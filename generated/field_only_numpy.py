@@ -11,7 +11,7 @@ Formulas, each proved equal to its derivation:
     level_above_gap (slch1), moment_from_side (exsl6), moment_from_top (exsl6), point_minus (exsl22),
     point_other (exsl22), point_plus (exsl22), rising_level (slch1), rod_energy (exsl8), side_moment (exsl6),
     straight_stiffness, tip_gamma (slch3), tip_gap (slch1)
-Digest of the inputs: sha256 14e74fcbe67e84200b58fc4ed8d39ade3c9f4b7755054657f01d5e458731b1d2
+Digest of the inputs: sha256 e17f1ad4ca2ecc9fb4f5f017dc543e295597f74c7b00f3ec430f77e7b221fa6f
 """
 
 from __future__ import annotations
@@ -518,7 +518,7 @@ def double_well(eta, clamp):
     """The ranges when V has two wells and the clamp lies in one of them: over the ridge at π, and within the well."""
     level = 2 * atan2(0.0, sqrt(eta))
     # A force far below rounding parts off tips from which only a rod of length 150/√η or more comes back.
-    outer = []
+    outer: list[Piece] = []
     if clamp.rest == 0:
         return outer
     turn = 2 * atan2(sqrt(eta * clamp.one_plus), sqrt(clamp.gap))

@@ -11,7 +11,7 @@ Formulas, each proved equal to its derivation:
     level_above_gap (exsl13), moment_from_side (exsl6), moment_from_top (exsl6), point_minus (exsl22),
     point_other (exsl22), point_plus (exsl22), rising_level (exsl13), rod_energy (exsl8), side_moment (exsl6),
     straight_stiffness, tip_gamma (exsl23), tip_gap (exsl13)
-Digest of the inputs: sha256 b10df2bcdddbd7fbd86efa0923b87aaddc965050a4ddb0c6a784fd5e7deda5ff
+Digest of the inputs: sha256 a2deb4342c6235dd57a8f4026ef30e351267cf16f9bd22509791f2154d29ce33
 """
 
 from __future__ import annotations
@@ -557,7 +557,7 @@ def double_well(beta, eta, clamp):
     """The ranges when V has two wells and the clamp lies in one of them: over the ridge at π, and within the well."""
     level = 2 * atan2(sqrt(beta), sqrt(eta - beta))
     # A force far below rounding parts off tips from which only a rod of length 150/√η or more comes back.
-    outer = []
+    outer: list[Piece] = []
     if beta > 0 and beta > epsilon() ** 9 * eta:
         outer = [Piece(0, level, 2 * atan2(sqrt(eta - beta), sqrt(beta)), "top", "level", True)]
     if clamp.rest == 0:

@@ -11,7 +11,7 @@ Formulas, each proved equal to its derivation:
     level_above_gap (exsl13), moment_from_side (exsl6), moment_from_top (exsl6), point_minus (exsl22),
     point_other (exsl22), point_plus (exsl22), rising_level (exsl13), rod_energy (exsl8), side_moment (exsl6),
     straight_stiffness, tip_gamma (exsl23), tip_gap (exsl13)
-Digest of the inputs: sha256 8a8c50815fc453515c4f36693da22ed08f53781d905471e36f8e7bd49303b184
+Digest of the inputs: sha256 b7a110e44a6c7c0a417dd52d5526aa34d7ac41e7d218659fc03977fd71237ef0
 """
 
 from __future__ import annotations
@@ -521,7 +521,7 @@ def double_well(beta, eta, clamp):
     """The ranges when V has two wells and the clamp lies in one of them: over the ridge at π, and within the well."""
     level = 2 * atan2(sqrt(beta), sqrt(eta - beta))
     # A force far below rounding parts off tips from which only a rod of length 150/√η or more comes back.
-    outer = []
+    outer: list[Piece] = []
     if beta > 0 and beta > epsilon() ** 9 * eta:
         outer = [Piece(0, level, 2 * atan2(sqrt(eta - beta), sqrt(beta)), "top", "level", True)]
     if clamp.rest == 0:

@@ -115,7 +115,7 @@ def double_well(beta, eta, clamp):
     """The ranges when V has two wells and the clamp lies in one of them: over the ridge at π, and within the well."""
     level = 2 * atan2(sqrt(beta), sqrt(eta - beta))
     # A force far below rounding parts off tips from which only a rod of length 150/√η or more comes back.
-    outer = []
+    outer: list[Piece] = []
     if beta > 0 and beta > epsilon() ** 9 * eta:
         outer = [Piece(0, level, 2 * atan2(sqrt(eta - beta), sqrt(beta)), "top", "level", True)]
     if clamp.rest == 0:
