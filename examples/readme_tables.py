@@ -1,6 +1,7 @@
 """Measure, and write the tables of README.md between their markers (needs the extra `bench`).
 
-derive --json result.json && python examples/readme_tables.py result.json
+derive --json result.json && derive check --mutants --json mutants.json
+python examples/readme_tables.py result.json mutants.json
 """
 
 from __future__ import annotations
@@ -20,7 +21,14 @@ from scipy.integrate import solve_bvp
 from derive.measure.agreement import TWIN_DIGITS, arguments
 from derive.measure.reference import Reference, Rod
 from derive.measure.rods import references, rods
-from generated import force_only_mpmath, force_only_numpy, parallel_mpmath, parallel_numpy
+from generated import (
+    field_only_mpmath,
+    field_only_numpy,
+    force_only_mpmath,
+    force_only_numpy,
+    parallel_mpmath,
+    parallel_numpy,
+)
 
 README = Path(__file__).resolve().parent.parent / "README.md"
 Known = list[tuple[Rod, list[Reference]]]
@@ -62,18 +70,25 @@ def emitted(module: ModuleType) -> Callable[[Rod], list[Any]]:
 
 
 def collocation(rod: Rod) -> list[float]:
-    """Tip angles by solve_bvp (s scaled to [0, 1], tol 1e-10) from nine arcs of constant curvature."""
+    """Tip angles by solve_bvp (s in [0, 1], analytic Jacobian, tol 1e-10) from nine arcs of constant curvature."""
 
     def right_side(_: np.ndarray, at: np.ndarray) -> np.ndarray:
         couple = rod.beta * np.sin(at[0]) + rod.eta / 2 * np.sin(2 * (at[0] - rod.field_angle))
         return np.array([at[1], couple * rod.length**2])
 
+    def slope(_: np.ndarray, at: np.ndarray) -> np.ndarray:
+        rate = rod.beta * np.cos(at[0]) + rod.eta * np.cos(2 * (at[0] - rod.field_angle))
+        zero, one = np.zeros_like(rate), np.ones_like(rate)
+        return np.array([[zero, one], [rate * rod.length**2, zero]])
+
+    def ends(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+        return np.array([a[0] - rod.clamp_angle, b[1]])
+
     found: list[float] = []
     grid = np.linspace(0, 1, 41)
     for turn in GUESSES:
         guess = np.array([rod.clamp_angle + turn * grid, np.full_like(grid, turn)])
-        ends = lambda a, b: np.array([a[0] - rod.clamp_angle, b[1]])  # noqa: E731
-        result = solve_bvp(right_side, ends, grid, guess, tol=1e-10, max_nodes=20000)
+        result = solve_bvp(right_side, ends, grid, guess, fun_jac=slope, tol=1e-10, max_nodes=20000)
         if result.success:
             found.append(float(result.y[0, -1]))
     return found
@@ -83,7 +98,11 @@ def error_table() -> list[str]:
     """Rows for both load cases."""
     head = "| solver | equilibria found | worst error of θ(ℓ) | time, ms (median rod) | (slowest rod) |"
     lines = [head, "|---|---|---|---|---|"]
-    cases = {"parallel": (parallel_numpy, parallel_mpmath), "force_only": (force_only_numpy, force_only_mpmath)}
+    cases = {
+        "parallel": (parallel_numpy, parallel_mpmath),
+        "field_only": (field_only_numpy, field_only_mpmath),
+        "force_only": (force_only_numpy, force_only_mpmath),
+    }
     for case, (double, exact) in cases.items():
         known: Known = [(rod, references(rod)) for rod in rods(case)]
         lines.append(measure(f"`{case}_numpy`", emitted(double), known))
@@ -92,16 +111,21 @@ def error_table() -> list[str]:
     return lines
 
 
-def verdict_table(result: dict[str, Any]) -> list[str]:
-    """Counts of claims and printed formulas by verdict, and what is refuted."""
+def verdict_table(result: dict[str, Any], mutants: dict[str, int]) -> list[str]:
+    """Counts of claims and printed formulas by verdict, what is refuted with its mend, and how mutants fared."""
     claims = [claim["verdict"] for claim in result["claims"]]
     printed = [formula["verdict"] for formula in result["formulas"]]
     kinds = sorted({*claims, *printed})
     lines = ["| | " + " | ".join(kinds) + " |", "|---" * (len(kinds) + 1) + "|"]
     for name, verdicts in (("claims of the derivation", claims), ("printed formulas", printed)):
         lines.append(f"| {name} | " + " | ".join(str(verdicts.count(kind)) for kind in kinds) + " |")
-    refuted = [formula["id"] for formula in result["formulas"] if formula["verdict"] == "REFUTED"]
-    return [*lines, "", f"Refuted as printed: {', '.join(refuted) or 'none'}."]
+    for formula in result["formulas"]:
+        if formula["verdict"] == "REFUTED":
+            mend = f"; `{formula['repair']['latex']}` is proved" if formula.get("repair") else ""
+            printed = formula["printed"].rstrip("\\, ")
+            lines += ["", f"Refuted as printed: {formula['id']}, `{printed}`{mend}."]
+    fates = ", ".join(f"{number} {fate}" for fate, number in mutants.items())
+    return [*lines, "", f"Wrong variants of all of them: {fates}."]
 
 
 def replace(text: str, name: str, lines: list[str]) -> str:
@@ -112,5 +136,6 @@ def replace(text: str, name: str, lines: list[str]) -> str:
 
 if __name__ == "__main__":
     text = README.read_text(encoding="utf-8")
-    text = replace(text, "verdicts", verdict_table(json.loads(Path(sys.argv[1]).read_text(encoding="utf-8"))))
+    result, mutants = (json.loads(Path(name).read_text(encoding="utf-8")) for name in sys.argv[1:3])
+    text = replace(text, "verdicts", verdict_table(result, mutants["counts"]))
     README.write_text(replace(text, "errors", error_table()), encoding="utf-8")

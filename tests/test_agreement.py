@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 
 from derive.emit.errors import EmitError
-from derive.emit.library import read_kernels
+from derive.emit.kernel_files import read_kernels
 from derive.emit.module import EmittedModule, emit_module
 from derive.emit.proof import prove_formulas, prove_module
 from derive.emit.scene import load_scene

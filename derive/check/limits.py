@@ -55,7 +55,7 @@ def _order(expr: sp.Expr, relation: Order, claim: Claim) -> str:
 
 def _without(domain: Domain, variable: sp.Symbol) -> Domain:
     ranges = {x: ends for x, ends in domain.ranges.items() if x != variable}
-    ends = [sp.sympify(end) for pair in ranges.values() for end in pair]
+    ends = [sp.sympify(end, strict=True) for pair in ranges.values() for end in pair]
     if any(end.has(variable) for end in ends):
         return Domain({})
     return Domain(ranges, tuple(c for c in domain.conditions if not c.has(variable)))

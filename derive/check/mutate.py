@@ -156,14 +156,14 @@ def _of_positive(claim: Claim, relation: Positive) -> Iterator[tuple[str, Claim]
         if change == "sign of a term":
             yield change, replace(claim, relation=Positive(new))
     for symbol, (lower, upper) in claim.domain.ranges.items():
-        for wider in _wider(claim.domain, symbol, sp.sympify(lower), sp.sympify(upper)):
+        for wider in _wider(claim.domain, symbol, sp.sympify(lower, strict=True), sp.sympify(upper, strict=True)):
             ranges = {**claim.domain.ranges, symbol: wider}
             yield f"range of {symbol}", replace(claim, domain=Domain(ranges, claim.domain.conditions))
 
 
 def _wider(domain: Domain, symbol: sp.Expr, lower: sp.Expr, upper: sp.Expr) -> Iterator[tuple[sp.Expr, sp.Expr]]:
     """Ranges beyond one end; none where other ranges lean on the symbol, or its assumptions are the end."""
-    ends = [sp.sympify(end) for pair in domain.ranges.values() for end in pair]
+    ends = [sp.sympify(end, strict=True) for pair in domain.ranges.values() for end in pair]
     if any(end.has(symbol) for end in ends):
         return
     if lower != -sp.oo and not (lower == 0 and symbol.is_nonnegative):

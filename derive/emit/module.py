@@ -13,8 +13,8 @@ from sympy import srepr
 from derive.emit.backends import BACKENDS, FUNCTIONS
 from derive.emit.errors import EmitError
 from derive.emit.head import case_text, domain_text, export_lines, fill, from_import, import_lines, public_names
+from derive.emit.kernel_files import KernelFiles, read_kernels
 from derive.emit.layout import lines_of
-from derive.emit.library import Library, read_kernels
 from derive.emit.lower import lower
 from derive.emit.pieces import Piece, imports, sections
 from derive.emit.printer import formula_function
@@ -61,14 +61,14 @@ def emit_module(
 ) -> EmittedModule:
     """The module for ``scene`` on ``backend``; unproved (see ``proof``). ``common`` names repeated subexpressions."""
     sources = read_kernels() if kernels is None else dict(kernels)
-    library = Library(sources, backend)
+    known = KernelFiles(sources, backend)
     formulas = formulas_of(theory, scene.case)
     if not formulas:
         raise EmitError(
             f"the theory has no formulas for case '{scene.case}' of scene '{scene.name}'; derive them first"
         )
     general = {name: tuple(s.name for s in f.arguments) for name, f in formulas_of(theory, GENERAL_CASE).items()}
-    slicer = Slicer(library, formulas, general, scene.folded, common=common)
+    slicer = Slicer(known, formulas, general, scene.folded, common=common)
     for output in scene.outputs:
         if not isinstance(slicer.piece("api", output, f"scene '{scene.name}'"), str):
             raise EmitError(f"kernels/api.py only imports '{output}'; define it there")

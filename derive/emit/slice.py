@@ -10,8 +10,8 @@ from sympy import Expr, nan, oo, zoo
 
 from derive.emit.backends import FUNCTIONS, MODULE_ALIASES, External
 from derive.emit.errors import EmitError, choices
+from derive.emit.kernel_files import Definition, KernelFiles
 from derive.emit.layout import stamp
-from derive.emit.library import Definition, Library
 from derive.emit.pieces import Piece, bound_names, parameters_of
 from derive.emit.printer import formula_function
 from derive.theory.claims import Formula
@@ -22,14 +22,14 @@ class Slicer:
 
     def __init__(
         self,
-        library: Library,
+        kernels: KernelFiles,
         formulas: Mapping[str, Formula],
         general: Mapping[str, tuple[str, ...]],
         folded: Mapping[str, Expr],
         *,
         common: bool = False,
     ) -> None:
-        self.library, self.formulas, self.general, self.folded, self.common = library, formulas, general, folded, common
+        self.kernels, self.formulas, self.general, self.folded, self.common = kernels, formulas, general, folded, common
         self.pieces: dict[str, Piece] = {}
         self.missing: set[str] = set()
 
@@ -37,7 +37,7 @@ class Slicer:
         """The piece for ``name`` of a kernel file, made if need be: its final name, or where outside it comes from."""
         if file == "formulas":
             return self._formula(name)
-        found = self.library.lookup(file, name)
+        found = self.kernels.lookup(file, name)
         if found is None:
             raise EmitError(
                 f"kernels/{file}.py has no '{name}', which {wanted_by} needs{choices(name, self._names(file))}"
@@ -45,13 +45,13 @@ class Slicer:
         if isinstance(found, External):
             return found
         known = self.pieces.get(name)
-        if known and known.file != self.library.base(found.file):
+        if known and known.file != self.kernels.base(found.file):
             raise EmitError(f"kernels {known.file} and {found.file} both define '{name}'; rename one")
         return name if known else self._make(found)
 
     def _names(self, file: str) -> Iterable[str]:
-        stems = [stem for stem in (file, f"{file}_{self.library.backend.name}") if stem in self.library.files]
-        return [name for stem in stems for name in self.library.files[stem].definitions]
+        stems = [stem for stem in (file, f"{file}_{self.kernels.backend.name}") if stem in self.kernels.files]
+        return [name for stem in stems for name in self.kernels.files[stem].definitions]
 
     def _formula(self, name: str) -> str:
         if name not in self.formulas:
@@ -78,15 +78,15 @@ class Slicer:
         self._resolve(piece, origins)
 
     def _make(self, found: Definition) -> str:
-        kernel = self.library.files[found.file]
+        kernel = self.kernels.files[found.file]
         node = copy.deepcopy(found.node)
         stamp(node)
-        piece = Piece(found.name, self.library.base(found.file), found.kind, node, kernel.lines)
+        piece = Piece(found.name, self.kernels.base(found.file), found.kind, node, kernel.lines)
         piece.parameters = parameters_of(node)
         piece.read = frozenset(n.id for n in ast.walk(node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load))
         self.pieces[found.name] = piece
         names = {n.id for n in ast.walk(node) if isinstance(n, ast.Name)}
-        origins = {name: origin for name in names if (origin := self.library.origin(found.file, name))}
+        origins = {name: origin for name in names if (origin := self.kernels.origin(found.file, name))}
         self._resolve(piece, origins)
         return found.name
 
@@ -96,7 +96,7 @@ class Slicer:
         final: dict[str, str | External] = {}
         for node in ast.walk(piece.node):
             if isinstance(node, ast.Name) and node.id not in shadowed and node.id not in final:
-                origin = origins.get(node.id) or self.library.backend.builtins.get(node.id)
+                origin = origins.get(node.id) or self.kernels.backend.builtins.get(node.id)
                 if origin:
                     target = origin if isinstance(origin, External) else self.piece(*origin, piece.name)
                     final[node.id] = self._plain(target) if isinstance(target, External) else target
@@ -107,7 +107,7 @@ class Slicer:
 
     def _plain(self, external: External) -> External:
         """The import without its alias, unless a kernel has a definition of that name."""
-        taken = any(external.name in kernel.definitions for kernel in self.library.files.values())
+        taken = any(external.name in kernel.definitions for kernel in self.kernels.files.values())
         return external if taken or external.name is None else External(external.module, external.name, external.name)
 
     def reach(self, roots: Iterable[str]) -> list[str]:

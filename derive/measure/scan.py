@@ -10,6 +10,8 @@ missed; a pair of equilibria closer than 1e-7 (a rod at a fold) counts as none o
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -57,21 +59,25 @@ def candidates(rod: Rod) -> Array:
         return rod.beta * np.cos(angle) + rod.eta / 2 * np.cos(angle - rod.field_angle) ** 2
 
     rest = zeros(couple, np.linspace(low - 7, high + 7, 3 * GRID))
-    levels = np.concatenate([zeros(lambda angle, at=at: potential(angle) - potential(at), grid) for at in rest])
+
+    def same_level(at: Array) -> Array:
+        return zeros(lambda angle: potential(angle) - potential(at), grid)
+
+    levels = np.concatenate([same_level(rest[k : k + 1]) for k in range(len(rest))])
     critical = np.concatenate([rest, levels])
     near = np.concatenate([critical[:, None] + OFFSETS, critical[:, None] - OFFSETS]).ravel()
     tips = np.unique(np.concatenate([grid, critical, near]))
     return tips[(tips >= low) & (tips <= high)]
 
 
-def zeros(function, grid: Array) -> Array:  # type: ignore[no-untyped-def]
+def zeros(function: Callable[[Array], Array], grid: Array) -> Array:
     """Where a function changes sign on a grid."""
     values = function(grid)
     at = np.flatnonzero(np.signbit(values[1:]) != np.signbit(values[:-1]))
     return bisect(function, grid[at], grid[at + 1])
 
 
-def bisect(function, low: Array, high: Array) -> Array:  # type: ignore[no-untyped-def]
+def bisect(function: Callable[[Array], Array], low: Array, high: Array) -> Array:
     """One zero in each of many brackets at once."""
     if not low.size:
         return low

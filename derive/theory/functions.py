@@ -26,7 +26,7 @@ class wp(Function):  # noqa: N801 - the standard name of the function
         return wp_prime(*self.args)
 
 
-class wp_prime(Function):  # noqa: N801
+class wp_prime(Function):  # noqa: N801 - the standard name of the function
     """The derivative ℘′(u; g₂, g₃)."""
 
     nargs = 3
@@ -38,7 +38,7 @@ class wp_prime(Function):  # noqa: N801
         return 6 * wp(*self.args) ** 2 - self.args[1] / 2
 
 
-class wzeta(Function):  # noqa: N801
+class wzeta(Function):  # noqa: N801 - the standard name of the function
     """Weierstrass ζ(u; g₂, g₃), with ζ′ = −℘ (DLMF 23.2.8)."""
 
     nargs = 3
@@ -50,7 +50,7 @@ class wzeta(Function):  # noqa: N801
         return -wp(*self.args)
 
 
-class wsigma(Function):  # noqa: N801
+class wsigma(Function):  # noqa: N801 - the standard name of the function
     """Weierstrass σ(u; g₂, g₃), with σ′ = ζσ (DLMF 23.2.8)."""
 
     nargs = 3

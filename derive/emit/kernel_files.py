@@ -95,7 +95,7 @@ def _definition(node: ast.stmt, stem: str) -> Definition | None:
     return Definition(target.id, stem, "constant", node) if isinstance(target, ast.Name) else None
 
 
-class Library:
+class KernelFiles:
     """All kernel files as one backend sees them."""
 
     def __init__(self, sources: Mapping[str, str], backend: str) -> None:
