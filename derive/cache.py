@@ -12,7 +12,7 @@ import json
 import os
 import sys
 import tempfile
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cache
 from importlib.metadata import PackageNotFoundError, version
@@ -97,14 +97,6 @@ class Cache:
             write_atomically(self._path(key), json.dumps({"key": key, "result": result}))
         except OSError:
             self.enabled = False
-
-    def through(self, key: str, compute: Callable[[], Any]) -> Any:
-        """The entry, computed and kept if it is absent. None is never kept."""
-        result = self.get(key)
-        if result is None:
-            result = compute()
-            self.put(key, result)
-        return result
 
     def _path(self, key: str) -> Path:
         return self.place / key[:2] / f"{key[2:]}.json"
