@@ -14,10 +14,10 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from sympy import Expr, Matrix, MatrixBase, Symbol, cos, diff, sin, zeros
+from sympy import Abs, Expr, Matrix, MatrixBase, Symbol, cos, diff, sin, sqrt, zeros
 
 from derive.paper import tree as t
-from derive.paper.symbolic import to_sympy
+from derive.paper.symbolic import NONE, Indices, to_sympy
 from derive.theory import functions as fn
 from derive.theory.claims import Domain
 from derive.theory.symbols import theta, xi
@@ -35,8 +35,74 @@ class MeaningError(ValueError):
     """A printed symbol or relation to which this reading gives no meaning; the message says which."""
 
 
+class Components:
+    """A meaning in components: vectors are 3 × 1, tensors 3 × 3 matrices, both in one frame.
+
+    What a section does not use has no meaning in it: MeaningError.
+    """
+
+    title: str
+
+    def of(self, node: t.Node, indices: Indices = NONE) -> Any:
+        """The value of a printed tree; MeaningError if it has none here."""
+        return to_sympy(node, self, indices)
+
+    def absent(self, what: object) -> MeaningError:
+        """The error for what has no meaning here."""
+        return MeaningError(f"{what} has no meaning where the formula is read ({self.title})")
+
+    def name(self, name: str) -> Any:
+        """None here."""
+        raise self.absent(f"'{name}'")
+
+    def call(self, name: str, primes: int, args: Sequence[Any]) -> Any:
+        """None here."""
+        raise self.absent(f"'{name}' at an argument")
+
+    def rate(self, of: Any, order: int) -> Any:
+        """None here."""
+        raise self.absent("a prime")
+
+    def dot(self, left: Any, right: Any) -> Any:
+        """In components."""
+        return left.dot(right)
+
+    def cross(self, left: Any, right: Any) -> Any:
+        """In components."""
+        return left.cross(right)
+
+    def outer(self, left: Any, right: Any) -> Any:
+        """In components."""
+        return left * right.T
+
+    def apply(self, tensor: Any, other: Any) -> Any:
+        """In components."""
+        return tensor * other
+
+    def transpose(self, of: Any) -> Any:
+        """In components."""
+        return of.T
+
+    def inverse(self, of: Any) -> Any:
+        """In components."""
+        return of.inv()
+
+    def norm(self, of: Any) -> Any:
+        """The root of the square."""
+        return sqrt(of.dot(of)) if isinstance(of, MatrixBase) else Abs(of)
+
+    def sign(self, sign: str) -> Any:
+        """± is one of two signs, ∓ the other."""
+        return pm if sign == r"\pm" else -pm
+
+    def _none(self, node: Any, indices: Indices) -> Any:
+        raise self.absent(f"a {type(node).__name__.lower()}")
+
+    ratio = varied = order = integral = between = at = limit = maximum = _none
+
+
 @dataclass(frozen=True)
-class Reading:
+class Reading(Components):
     """One meaning of the printed symbols.
 
     title: in words. values: of names. domain: where the formula must hold. rates: derivatives along the rod of the
@@ -54,10 +120,6 @@ class Reading:
     at_tip: Expr | None = None
     constant: Symbol | None = None
     ends: tuple[Expr, Expr] | None = None
-
-    def of(self, node: t.Node) -> Any:
-        """The value of a printed tree; MeaningError if it has none here."""
-        return to_sympy(node, self)
 
     def name(self, name: str) -> Any:
         """A symbol."""
@@ -105,8 +167,9 @@ class Reading:
         start = zeros(*of.shape) if isinstance(of, MatrixBase) else 0 * k
         return sum((diff(of, q) * self.rates[q] for q in sorted(free & set(self.rates), key=str)), start=start)
 
-    def ratio(self, of: t.Node, by: t.Node) -> Any:
+    def ratio(self, node: t.Derivative, indices: Indices) -> Any:
         """The printed derivative d of / d by: by ϰ, by u, or along the rod."""
+        of, by = node.of, node.by
         if not isinstance(by, t.Name) or not isinstance(of, t.Name):
             raise MeaningError("only derivatives of symbols by symbols have a meaning")
         if by.name == "varkappa" and of.name == "xi" and self.solution is not None:
@@ -117,18 +180,6 @@ class Reading:
             here = self.name("u")
             return diff(self.name(of.name).subs(here, u), u).subs(u, here)
         raise MeaningError(f"d {of.name}/d {by.name} has no meaning where the formula is read ({self.title})")
-
-    def dot(self, left: Any, right: Any) -> Any:
-        """In components."""
-        return left.dot(right)
-
-    def cross(self, left: Any, right: Any) -> Any:
-        """In components."""
-        return left.cross(right)
-
-    def sign(self, sign: str) -> Any:
-        """± is one of two signs, ∓ the other."""
-        return pm if sign == r"\pm" else -pm
 
 
 def along_rod(bent: int, angle_of_field: Expr) -> dict[str, Any]:

@@ -6,8 +6,8 @@ are printed; ``check`` gives them the theory's expressions.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from functools import reduce
+from collections.abc import Mapping, Sequence
+from functools import partial, reduce
 from operator import add, mul
 from typing import Any, Protocol
 
@@ -20,8 +20,16 @@ MAX_EXPONENT = 100  # numbers in exponents; the article needs 4
 MAX_BITS = 4000  # of a number that a power would form
 
 
+Indices = Mapping[str, int]  # the values of the index letters
+NONE: Indices = {}
+
+
 class SizeError(ValueError):
     """A printed power that would take forever to form."""
+
+
+class SideError(ValueError):
+    """A region, a list, a stack or cases where a quantity must stand."""
 
 
 class Dot(Function):
@@ -54,10 +62,15 @@ class Ratio(Function):
 
 
 class Meaning(Protocol):
-    """What the parts of a printed formula stand for."""
+    """What the parts of a printed formula stand for.
+
+    Values are SymPy expressions; of vectors 3 × 1, of tensors 3 × 3 matrices, or in ``Printed`` names for them. What a
+    meaning needs as it is printed (what is integrated, by what) it gets as trees, with the values of the indices in
+    them; ``to_sympy(tree, meaning, indices)`` gives their values.
+    """
 
     def name(self, name: str) -> Any:
-        """A symbol."""
+        """A symbol; a member of a family by its number, ``d_3``."""
 
     def call(self, name: str, primes: int, args: Sequence[Any]) -> Any:
         """A function at its arguments."""
@@ -65,8 +78,8 @@ class Meaning(Protocol):
     def rate(self, of: Any, order: int) -> Any:
         """Primes."""
 
-    def ratio(self, of: t.Node, by: t.Node) -> Any:
-        """The fraction d of / d by."""
+    def ratio(self, node: t.Derivative, indices: Indices) -> Any:
+        """The fraction d of / d by, or with ∂."""
 
     def dot(self, left: Any, right: Any) -> Any:
         """Scalar product."""
@@ -74,8 +87,44 @@ class Meaning(Protocol):
     def cross(self, left: Any, right: Any) -> Any:
         """Vector product."""
 
+    def outer(self, left: Any, right: Any) -> Any:
+        """Tensor product."""
+
+    def apply(self, tensor: Any, other: Any) -> Any:
+        """A tensor applied to a vector, or composed with a tensor."""
+
+    def transpose(self, of: Any) -> Any:
+        """Of a tensor."""
+
+    def inverse(self, of: Any) -> Any:
+        """Of a tensor."""
+
+    def norm(self, of: Any) -> Any:
+        """|of|."""
+
     def sign(self, sign: str) -> Any:
         """The value of ± (``\\pm``) or ∓ (``\\mp``)."""
+
+    def varied(self, node: t.Varied, indices: Indices) -> Any:
+        """δ of."""
+
+    def order(self, node: t.BigO, indices: Indices) -> Any:
+        """O(of): some quantity of that order, as general as can be."""
+
+    def integral(self, node: t.Integral, indices: Indices) -> Any:
+        """An integral."""
+
+    def between(self, node: t.Between, indices: Indices) -> Any:
+        """[of] from lower to upper."""
+
+    def at(self, node: t.At, indices: Indices) -> Any:
+        """of where variable = value."""
+
+    def limit(self, node: t.Limit, indices: Indices) -> Any:
+        """lim of."""
+
+    def maximum(self, node: t.Maximum, indices: Indices) -> Any:
+        """The greatest of some quantities."""
 
 
 class Printed:
@@ -99,9 +148,9 @@ class Printed:
         """A name for the derivative."""
         return Rate(of, order)
 
-    def ratio(self, of: t.Node, by: t.Node) -> Any:
+    def ratio(self, node: t.Derivative, indices: Indices) -> Any:
         """A name for the derivative."""
-        return Ratio(to_sympy(of, self), to_sympy(by, self))
+        return Ratio(to_sympy(node.of, self, indices), to_sympy(node.by, self, indices))
 
     def dot(self, left: Any, right: Any) -> Any:
         """A name for the product."""
@@ -115,32 +164,75 @@ class Printed:
         """± is the symbol ``pm`` of square one, ∓ its negative."""
         return Symbol("pm", real=True) * (1 if sign == r"\pm" else -1)
 
+    def __getattr__(self, name: str) -> Any:
+        """Other operations are names, too: ``outer``, ``integral`` and so on become undefined functions."""
+        if name not in _OPERATIONS:
+            raise AttributeError(name)
+        return partial(_named, self, name.capitalize())
 
-def to_sympy(node: t.Node, meaning: Meaning | str) -> Any:
-    """The value of a tree in a meaning; a scope's name stands for its printed symbols."""
+
+_OPERATIONS = {
+    "outer", "apply", "transpose", "inverse", "norm", "varied", "order", "integral", "between", "at", "limit",
+    "maximum",
+}  # fmt: skip
+
+
+def _named(meaning: Printed, name: str, *operands: Any) -> Any:
+    """An operation as an undefined function of the values of its operands."""
+    if isinstance(operands[0], t.Node):
+        node, indices = operands
+        operands = tuple(to_sympy(part, meaning, indices) for part in node.parts())
+    return Function(name)(*operands)
+
+
+def to_sympy(node: t.Node, meaning: Meaning | str, indices: Indices = NONE) -> Any:
+    """The value of a tree in a meaning; a scope's name stands for its printed symbols.
+
+    indices: values of the index letters that are free in the tree.
+    """
     if isinstance(meaning, str):
         meaning = Printed(meaning)
     match node:
         case t.Number():
             return Integer(node.value)
         case t.Name():
-            return meaning.name(node.name)
+            return meaning.name(member(node.name, node.index, indices))
         case t.Call():
-            return meaning.call(node.name, node.primes, [to_sympy(arg, meaning) for arg in node.args])
+            arguments = [to_sympy(arg, meaning, indices) for arg in node.args]
+            return meaning.call(member(node.name, node.index, indices), node.primes, arguments)
         case t.Primed():
-            return meaning.rate(to_sympy(node.of, meaning), node.order)
-        case t.Derivative():
-            return meaning.ratio(node.of, node.by)
+            return meaning.rate(to_sympy(node.of, meaning, indices), node.order)
         case t.Signed(sign="-"):
-            return -to_sympy(node.of, meaning)
+            return -to_sympy(node.of, meaning, indices)
         case t.Signed(sign="+"):
-            return to_sympy(node.of, meaning)
+            return to_sympy(node.of, meaning, indices)
         case t.Signed():
-            return meaning.sign(node.sign) * to_sympy(node.of, meaning)
+            return meaning.sign(node.sign) * to_sympy(node.of, meaning, indices)
+        case t.Contraction():
+            values = ({**indices, node.index: value} for value in t.values_of(node.index))
+            return reduce(add, (to_sympy(node.of, meaning, value) for value in values))
         case t.Power() if node.base.type == t.VECTOR:
-            value = to_sympy(node.base, meaning)
+            value = to_sympy(node.base, meaning, indices)
             return meaning.dot(value, value)
-    return _combined(node, [to_sympy(part, meaning) for part in node.parts()], meaning)
+    operation = _BY_TREE.get(type(node))
+    if operation is not None:
+        return getattr(meaning, operation)(node, indices)
+    return _combined(node, [to_sympy(part, meaning, indices) for part in node.parts()], meaning)
+
+
+def member(name: str, letter: str, indices: Indices) -> str:
+    """The name of a member of a family: d and i = 3 give ``d_3``; a plain name stays."""
+    return f"{name}_{indices[letter]}" if letter else name
+
+
+_BY_TREE: dict[type[t.Node], str] = {
+    t.Derivative: "ratio", t.Varied: "varied", t.BigO: "order", t.Integral: "integral", t.Between: "between",
+    t.At: "at", t.Limit: "limit", t.Maximum: "maximum",
+}  # fmt: skip
+_BY_VALUE: dict[type[t.Node], str] = {
+    t.Dot: "dot", t.Cross: "cross", t.Outer: "outer", t.Apply: "apply", t.Compose: "apply",
+    t.Transpose: "transpose", t.Norm: "norm",
+}  # fmt: skip
 
 
 def _combined(node: t.Node, parts: list[Any], meaning: Meaning) -> Any:
@@ -153,14 +245,12 @@ def _combined(node: t.Node, parts: list[Any], meaning: Meaning) -> Any:
         case t.Quotient():
             return value * parts[1] ** -1
         case t.Power():
-            return _power(value, parts[1])
+            return _power(value, parts[1]) if node.base.type == t.SCALAR else meaning.inverse(value)
         case t.Root():
             return root(value, node.degree)
-        case t.Dot():
-            return meaning.dot(*parts)
-        case t.Cross():
-            return meaning.cross(*parts)
-    raise TypeError(f"a tree has no {type(node).__name__}")
+    if type(node) in _BY_VALUE:
+        return getattr(meaning, _BY_VALUE[type(node)])(*parts)
+    raise SideError(f"a {type(node).__name__.lower()} stands only as a whole side of a statement")
 
 
 def _power(base: Any, exponent: Any) -> Any:
