@@ -38,10 +38,17 @@ class MeaningError(ValueError):
 class Components:
     """A meaning in components: vectors are 3 × 1, tensors 3 × 3 matrices, both in one frame.
 
-    What a section does not use has no meaning in it: MeaningError.
+    What a section does not use has no meaning in it: MeaningError. title: in words. domain: where the formula must
+    hold. hypotheses: substitutions that hold there, as in ``Claim.given``. small: the parameter of orders of magnitude.
+    constant: what tends to one of its ends, in limits.
     """
 
     title: str
+    domain: Domain
+    hypotheses: tuple[tuple[Expr, Expr], ...] = ()
+    small: Symbol | None = None
+    constant: Symbol | None = None
+    ends: tuple[Expr, Expr] | None = None
 
     def of(self, node: t.Node, indices: Indices = NONE) -> Any:
         """The value of a printed tree; MeaningError if it has none here."""
@@ -105,9 +112,9 @@ class Components:
 class Reading(Components):
     """One meaning of the printed symbols.
 
-    title: in words. values: of names. domain: where the formula must hold. rates: derivatives along the rod of the
-    symbols in the values. polynomials: f and f̂ in ξ. invariants: g₂, g₃. solution: ξ as a function of the value of
-    ℘. at_tip: ξ(ℓ). constant: γ or γ̄, if it is free, and ends: its range.
+    title, domain, constant, ends: as in Components. values: of names. rates: derivatives along the rod of the symbols
+    in the values. polynomials: f and f̂ in ξ. invariants: g₂, g₃. solution: ξ as a function of the value of
+    ℘. at_tip: ξ(ℓ). The constant is γ or γ̄, if it is free, and the ends those of its range.
     """
 
     title: str

@@ -9,7 +9,8 @@ from typing import Any
 from sympy import Expr, Integer, Rational, cos, oo, pi, sqrt
 
 from derive.check import meaning as m
-from derive.check.meaning import Reading
+from derive.check.meaning import Components, Reading
+from derive.check.sections import BY_SCOPE
 from derive.paper import tree as t
 from derive.theory.claims import Domain
 from derive.theory.load_case import LoadCase, linear_root, xi_tip
@@ -34,8 +35,13 @@ def names_in(*nodes: t.Node) -> set[str]:
     return found
 
 
-def readings(theory: Any, scope: str, sides: tuple[t.Node, ...], given: tuple[t.Statement, ...]) -> Iterator[Reading]:
-    """Every reading of a statement with these sides, under equalities that the text assumes."""
+def readings(
+    theory: Any, scope: str, sides: tuple[t.Node, ...], given: tuple[t.Statement, ...]
+) -> Iterator[Components]:
+    """Every reading of a plain statement with these sides, under the hypotheses that the text gives."""
+    if scope in BY_SCOPE:
+        yield from BY_SCOPE[scope](theory, sides, given)
+        return
     names = names_in(*sides, *(side for statement in given for side in statement.sides))
     if scope == "plane" and not names & {"f", "f_hat"}:
         yield from _any_field(theory)

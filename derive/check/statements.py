@@ -3,6 +3,7 @@
 How a chain of relations is read:
 
 - ``A = B``: an equality of the theory's expressions; with ±, that one of the two signs holds.
+- ``A = B + O(εⁿ)``: the difference of the two is of that order.
 - ``A < B``, ``A > B``: a sign, everywhere in the domain.
 - ``A → B``: a limit, for the limit that the text assumes (its hypothesis ``γ → γ_1``). The target of an arrow does
   not vary, so whatever stands right of an arrow is taken *at* the limit: ``ξ_b → ξ_b = 1 + 2β/η`` says that ξ_b tends
@@ -20,13 +21,15 @@ from typing import Any
 
 from sympy import MatrixBase, Symbol, nan, oo, zeros, zoo
 
-from derive.check.meaning import MeaningError, Reading, pm
+from derive.check.branches import Branch, branches, index_values
+from derive.check.meaning import Components, MeaningError, pm
 from derive.check.readings import readings
 from derive.check.report import RelationVerdict, StatementVerdict, statement_verdict
 from derive.check.verdicts import DEFINITION, PROVED, UNKNOWN, Verdict
 from derive.paper import tree as t
 from derive.paper.ledger import Record
-from derive.theory.claims import Claim, Domain, Equal, Limit, Positive
+from derive.paper.symbolic import NONE, Indices
+from derive.theory.claims import Claim, Domain, Equal, Limit, Order, Positive
 
 CONVENTIONAL = {"xi", "b", "c", "varkappa"}  # names that the article chooses; the others are derived in the theory
 Judge = Callable[[Claim], Verdict]
@@ -39,16 +42,28 @@ def judge_statement(
     start = time.perf_counter()
     found: list[RelationVerdict] = []
     try:
-        for reading in readings(theory, record.scope or "", statement.sides, given):
-            _check_given(reading, given, decide)
-            for title, claim, note in claims_of(statement, reading, given, f"{record.id}.{number + 1}"):
-                found.append(RelationVerdict(f"{title} ({reading.title})", decide(claim), note))
+        for branch in branches(statement):
+            found += _of_branch(theory, record, f"{record.id}.{number + 1}", branch, given, decide)
     except ValueError as reason:  # MeaningError, or an expression that SymPy cannot form
         found.append(RelationVerdict("meaning", Verdict(record.id, UNKNOWN, "none", None, str(reason))))
     defines = not given and _introduces(statement)
     passed = bool(found) and all(relation.verdict.verdict == PROVED for relation in found)
     latex = record.latex[statement.span[0] : statement.span[1]] if statement.span[1] else ""
     return statement_verdict(latex, found, time.perf_counter() - start, DEFINITION if defines and passed else None)
+
+
+def _of_branch(
+    theory: Any, record: Record, stem: str, branch: Branch, given: tuple[t.Statement, ...], decide: Judge
+) -> Iterator[RelationVerdict]:
+    """The verdicts on a plain statement, in all readings and for all values of its indices."""
+    given = (*given, *branch.given)
+    for reading in readings(theory, record.scope or "", branch.statement.sides, given):
+        _check_given(reading, given, decide)
+        for indices in index_values(branch.statement):
+            parts = [branch.title, reading.title, *(f"{letter} = {value}" for letter, value in indices.items())]
+            where = ", ".join(part for part in parts if part)
+            for title, claim, note in claims_of(branch.statement, reading, given, stem, indices):
+                yield RelationVerdict(f"{title} ({where})", decide(claim), note)
 
 
 def _introduces(statement: t.Statement) -> bool:
@@ -60,7 +75,7 @@ def _introduces(statement: t.Statement) -> bool:
     return name in CONVENTIONAL and set(statement.operators) == {"="}
 
 
-def _check_given(reading: Reading, given: tuple[t.Statement, ...], decide: Judge) -> None:
+def _check_given(reading: Components, given: tuple[t.Statement, ...], decide: Judge) -> None:
     """Equalities that the text assumes must hold in the reading; MeaningError if the theory says otherwise."""
     for statement in given:
         if "->" in statement.operators:
@@ -71,10 +86,13 @@ def _check_given(reading: Reading, given: tuple[t.Statement, ...], decide: Judge
 
 
 def claims_of(
-    statement: t.Statement, reading: Reading, given: tuple[t.Statement, ...], stem: str
+    statement: t.Statement, reading: Components, given: tuple[t.Statement, ...], stem: str, indices: Indices = NONE
 ) -> Iterator[tuple[str, Claim, str]]:
-    """The claims that a statement makes in a reading: what each says, the claim, and how it had to be read."""
-    values = [_finite(reading.of(side)) for side in statement.sides]
+    """The claims that a plain statement makes in a reading, for given values of its free indices.
+
+    Of each: what it says, the claim, and how it had to be read.
+    """
+    values = [_finite(reading.of(side, indices)) for side in statement.sides]
     limit: tuple[Symbol, Any, str] | None = None
     note = ""
     for n, operator in enumerate(statement.operators):
@@ -88,10 +106,16 @@ def claims_of(
             relation: Any = Limit(left, variable, point, at_limit, side)
             domain = reading.domain
             values[n + 1 :] = [_at(value, limit) for value in values[n + 1 :]]
+        elif operator == "=" and (orders := _orders(statement.sides[n : n + 2], reading, indices)):
+            relation, domain = _order(left, right, reading, min(orders), statement.sides[n + 1]), reading.domain
         else:
             relation = _relation(operator, left, right)
             domain = reading.domain if limit is None else _without(reading.domain, limit[0])
-        yield f"{n + 1}: {operator}", Claim(f"{stem}.{n + 1}", "as printed", relation, domain, source=stem), note
+        yield (
+            f"{n + 1}: {operator}",
+            Claim(f"{stem}.{n + 1}", "as printed", relation, domain, reading.hypotheses, source=stem),
+            note,
+        )
 
 
 def _finite(value: Any) -> Any:
@@ -108,6 +132,25 @@ def _relation(operator: str, left: Any, right: Any) -> Equal | Positive:
     raise MeaningError(f"the relation '{operator}' is not judged yet")
 
 
+def _orders(sides: tuple[t.Node, ...], reading: Components, indices: Indices) -> list[int]:
+    """The powers of the small parameter in the O(εⁿ) of two sides."""
+    found = [node for side in sides for node in side.walk() if isinstance(node, t.BigO)]
+    if found and reading.small is None:
+        raise MeaningError(f"O(…) has no meaning where the formula is read ({reading.title})")
+    powers = [reading.of(node.of, indices).as_base_exp() for node in found]
+    if any(base != reading.small or not exponent.is_Integer for base, exponent in powers):
+        raise MeaningError(f"an O(…) must hold a power of {reading.small}")
+    return [int(exponent) for _, exponent in powers]
+
+
+def _order(left: Any, right: Any, reading: Components, power: int, side: t.Node) -> Order:
+    """left − right = O(εⁿ). A quantity that is only said to be small is squared first, so that roots go."""
+    assert reading.small is not None
+    if isinstance(side, t.BigO) and not isinstance(left, MatrixBase):
+        return Order(left**2, reading.small, 2 * power)
+    return Order(left - right, reading.small, power)
+
+
 def _equality(left: Any, right: Any) -> Equal:
     """left = right; with ± on one side or both, that one choice of the sign gives equality."""
     vector = next((side for side in (left, right) if isinstance(side, MatrixBase)), None)
@@ -119,7 +162,7 @@ def _equality(left: Any, right: Any) -> Equal:
     return Equal(gap.subs(pm, 1) * gap.subs(pm, -1), 0)
 
 
-def _limit(reading: Reading, given: tuple[t.Statement, ...]) -> tuple[Symbol, Any, str]:
+def _limit(reading: Components, given: tuple[t.Statement, ...]) -> tuple[Symbol, Any, str]:
     """Variable, point and side of the limit that the text assumes; MeaningError if there is none, or two."""
     arrows = [statement for statement in given if statement.operators == ("->",)]
     if len(arrows) != 1 or reading.constant is None or reading.ends is None:

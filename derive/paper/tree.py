@@ -58,6 +58,13 @@ class Node:
         for part in self.parts():
             yield from part.walk()
 
+    def free_indices(self) -> set[str]:
+        """The index letters in it over which it does not sum."""
+        found = set().union(*(part.free_indices() for part in self.parts()))
+        if isinstance(self, Name | Call) and self.index:
+            found.add(self.index)
+        return found - {self.index} if isinstance(self, Contraction) else found
+
 
 def _is_nodes(value: object) -> bool:
     return isinstance(value, tuple) and bool(value) and all(isinstance(part, Node) for part in value)
