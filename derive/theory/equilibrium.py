@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from sympy import Expr, Function, Matrix, Rational, Symbol
 
-from derive.theory import variation
+from derive.theory import loads
 from derive.theory.claims import Equal, Notebook
 from derive.theory.energy import Energy
 from derive.theory.frame import along, frenet, triple
@@ -191,7 +191,7 @@ def claim_planar(state: Equilibrium, book: Notebook) -> None:
 def derive_section2(energy: Energy | None = None, book: Notebook | None = None) -> Equilibrium:
     """All of Section 2, from an energy (paramagnetic particles if none is given) to the equation of equilibrium."""
     book = Notebook() if book is None else book
-    return derive(variation.chain(book, energy), book)
+    return derive(loads.chain(book, energy), book)
 
 
 def main() -> None:
