@@ -13,7 +13,7 @@ from typing import Any
 from sympy import Expr, Symbol
 
 from derive.check.meaning import ell
-from derive.check.sections.moving import Moving
+from derive.check.sections.framed import Framed
 from derive.paper import tree as t
 from derive.paper.symbolic import Indices, to_sympy
 from derive.theory.symbols import s
@@ -22,7 +22,7 @@ PART = Symbol("part", real=True)
 
 
 @dataclass(frozen=True)
-class OnRod(Moving):
+class OnRod(Framed):
     """A meaning in the moving frame in which integrals and brackets along the rod are densities.
 
     held: the ends are held where the formula is read, so that what stands in brackets vanishes there.

@@ -15,7 +15,7 @@ from sympy import Expr, ImmutableMatrix, Matrix, Symbol, eye, solve, zeros
 
 from derive.check.meaning import Components, ell
 from derive.check.sections.functionals import OnRod
-from derive.check.sections.moving import Rotation, State, derivatives, rotation
+from derive.check.sections.framed import Rotation, State, derivatives, rotation
 from derive.check.sections.remembered import remembered
 from derive.paper import tree as t
 from derive.theory import constraint
@@ -109,7 +109,7 @@ def values(balance: Balance, other: Rotation) -> Mapping[str, Any]:
         **{f"kappa_{i + 1}": frame.kappa[i] for i in range(3)},
         "Q": other.matrix.T, "identity": ImmutableMatrix(eye(3)), "kappa": frame.kappa,
         "kappa_u": other.matrix * line.rod.kappa_u, "mu": mu, "C": STIFFNESS, "M": balance.resultant,
-        "x": POSITION, "x_u": BEFORE, "u_axis": POSITION - BEFORE, "q": TURNED, "Phi": FORCE, "F": FORCE,
+        "x": POSITION, "x_u": BEFORE, "u_axis": POSITION - BEFORE, "q": TURNED, "Phi": FORCE, "force": FORCE,
         "psi_e": balance.strain_energy, "psi_m": psi_m, "E_energy": balance.strain_energy + psi_m,
         "L_constraint": constraint.density(frame.kappa), "eta_tilde": line.moduli[eta_tilde],
         "m_line": couple, "l_line": couple, "f_line": zeros(3, 1), "zero": zeros(3, 1),

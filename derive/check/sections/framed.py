@@ -56,7 +56,7 @@ def rotation(name: str) -> Rotation:
 
 
 @dataclass(frozen=True)
-class Moving(Components):
+class Framed(Components):
     """A meaning in components on the moving frame.
 
     title, domain, small: as in Components. values: of names; of a family, by its members. kappa: κ. rates: what the
