@@ -17,7 +17,7 @@ from sympy import Expr, Function, Matrix, MatrixBase, Max, Symbol, eye, zeros
 from derive.check.meaning import Components
 from derive.check.sections.moving import along, elsewhere, extent, kept, rates_of, rotation_by, unknown
 from derive.paper import tree as t
-from derive.paper.symbolic import NONE, Indices, member, to_sympy
+from derive.paper.symbolic import Indices, member, to_sympy
 from derive.theory import frame, loads, placement
 from derive.theory.claims import Domain
 from derive.theory.letters import EI, GJ, X1, X2, e1, e2, e3, eps, vector_of

@@ -14,8 +14,8 @@ from typing import Any
 from sympy import Expr, ImmutableMatrix, Matrix, Symbol, eye, solve, zeros
 
 from derive.check.meaning import Components, ell
-from derive.check.sections.functionals import OnRod
 from derive.check.sections.framed import Rotation, State, derivatives, rotation
+from derive.check.sections.functionals import OnRod
 from derive.check.sections.remembered import remembered
 from derive.paper import tree as t
 from derive.theory import constraint
