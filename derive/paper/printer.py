@@ -106,7 +106,7 @@ class _Printer:
 
     def _power(self, node: t.Power) -> str:
         exponent = f"^{{{self.sum(node.exponent)}}}"
-        if isinstance(node.base, t.Call) and not isinstance(node.exponent, t.Signed):
+        if isinstance(node.base, t.Call) and not (node.base.primes or isinstance(node.exponent, t.Signed)):
             return self._call(node.base, exponent)
         if isinstance(node.base, t.Name | t.Number):
             return self.factor(node.base) + exponent
