@@ -1,0 +1,1 @@
+"""What was found, to read: derived formulas in the article's letters, and the report in LaTeX."""

@@ -1,0 +1,84 @@
+"""The derived statement for a printed one in one reading: which side is valued, and by what."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+from sympy import MatrixBase
+
+from derive.check.meaning import Components
+from derive.paper import tree as t
+from derive.paper.conventions import scope as conventions_of
+from derive.paper.symbolic import Indices
+from derive.report.letters import Writer, names, worth_a_letter
+from derive.report.spell import SpellError
+from derive.report.vectors import instance, spelled_vector
+
+
+def form_in(
+    reading: Components, scope: str, statement: t.Statement, given: tuple[t.Statement, ...], indices: Indices
+) -> t.Statement:
+    """``side operator value``: the first side, unless its value says nothing of the others.
+
+    Then the constant of integration that the statement names, by its value. Of an inequality, the second side is
+    valued. SpellError if there is nothing to say.
+    """
+    operator = statement.operators[0]
+    valued = Valued(reading, scope, statement, given, indices)
+    if operator not in ("=", "->"):
+        return t.Statement((valued.instance(statement.sides[0]), valued.of(statement.sides[1])), (operator,))
+    first, other = valued.instance(statement.sides[0]), names(*statement.sides[1:])
+    for side in statement.sides:
+        value = valued.of(side)
+        if value != first and (len(names(value)) != 1 or names(value) & other):
+            return t.Statement((first, value), (operator,))
+    for name in valued.compound(other):
+        named = replace(statement, sides=(name, *statement.sides))
+        return t.Statement((name, Valued(reading, scope, named, given, indices).of(name)), (operator,))
+    raise SpellError("a name for itself")
+
+
+class Valued:
+    """The values of the parts of a statement, written as trees."""
+
+    def __init__(
+        self,
+        reading: Components,
+        scope: str,
+        statement: t.Statement,
+        given: tuple[t.Statement, ...],
+        indices: Indices,
+    ) -> None:
+        self.reading, self.scope, self.given, self.indices = reading, conventions_of(scope), given, indices
+        self.operator = statement.operators[0]
+        self.writer = Writer(reading, self.scope, statement, indices)
+
+    def instance(self, side: t.Node) -> t.Node:
+        """The side for the values of the indices."""
+        return instance(side, self.indices)
+
+    def of(self, side: t.Node) -> t.Node:
+        """The value of a side; of an arrow, at the limit that the text assumes."""
+        value = self.reading.of(side, self.indices)
+        if self.operator == "->":
+            value = value.subs(*self.limit())
+        if isinstance(value, MatrixBase):
+            return spelled_vector(value, self.reading, self.scope, self.writer.of)
+        ordering = side.args[0] if isinstance(side, t.Call) else None
+        return self.writer.of(value, ordering)
+
+    def limit(self) -> tuple[Any, Any]:
+        """Variable and point of the one arrow among the hypotheses."""
+        (arrow,) = (statement for statement in self.given if statement.operators == ("->",))
+        variable, point = (self.reading.of(side) for side in arrow.sides)
+        return variable, point
+
+    def compound(self, among: set[str]) -> Iterator[t.Name]:
+        """The names of scalars whose value in the reading is no letter."""
+        for name in sorted(among):
+            declared = self.scope.by_name.get(name)
+            if declared is not None and declared.kind == t.SCALAR and not declared.argument:
+                if worth_a_letter(self.reading.of(t.Name(name))):
+                    yield t.Name(name)
