@@ -75,6 +75,7 @@ def test_only_general_facts_do_without_the_energy(claims):
         "plane",
         "weierstrass",
         "shape",
+        "oblique",
     }
     assert not [one for one in general if set(one.split(".")) & set(sources.CASES)]
 
