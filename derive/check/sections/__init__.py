@@ -11,8 +11,13 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from derive.check.meaning import Components
+from derive.check.sections import line_energy, magnetization, rod
 from derive.paper import tree as t
 
 Readings = Callable[[Any, tuple[t.Node, ...], tuple[t.Statement, ...]], Iterator[Components]]
 
-BY_SCOPE: dict[str, Readings] = {}
+BY_SCOPE: dict[str, Readings] = {
+    "kirchhoff": rod.readings,
+    "magnetization": magnetization.readings,
+    "line_energy": line_energy.readings,
+}
