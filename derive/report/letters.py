@@ -12,7 +12,7 @@ from derive.check.meaning import Components, pm
 from derive.paper import tree as t
 from derive.paper.conventions import Scope
 from derive.paper.symbolic import NONE, Indices
-from derive.report.spell import SpellError, Speller
+from derive.report.spell import Speller, SpellError
 from derive.report.tidy import Letters, ways
 
 ENDS = ("s", "ell")  # arguments at which a moving quantity has a value of its own

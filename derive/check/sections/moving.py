@@ -36,6 +36,13 @@ def rates_of(parameters: Matrix, spin: Matrix) -> Rates:
     return dict(zip(parameters.diff(s), slope, strict=True))
 
 
+def inverse(tensor: Matrix) -> Matrix:
+    """By the products of its rows; nothing is multiplied out."""
+    rows = [tensor[i, :].T for i in range(3)]
+    columns = [rows[(i + 1) % 3].cross(rows[(i + 2) % 3]) for i in range(3)]
+    return Matrix.hstack(*columns) / rows[0].dot(columns[0])
+
+
 def along(value: Any, kappa: Matrix, rates: Rates) -> Any:
     """The derivative along the rod of a scalar, or of a vector or tensor of moving components."""
     slope = value.diff(s)
