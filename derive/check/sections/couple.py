@@ -1,8 +1,8 @@
 """Section 2.3, elmr12 to elmr15: what its symbols mean in the couple of the induction on the magnetization.
 
 Three readings. In any particle the orientation a is any vector. In the rod, where orders of magnitude are compared or
-the couple is integrated, a is the theory's orientation of the fibres, exact in ε, and the couple on the part from 0 to s
-is represented by its density along the rod (see ``functionals``). To first order, the couple per unit length is what
+the couple is integrated, a is the theory's orientation of the fibres, exact in ε, and the couple on the part from 0 to
+s is represented by its density along the rod (see ``functionals``). To first order, the couple per unit length is what
 is left of that density when ε tends to 0.
 
 The integral over a section of area A whose first moments vanish is A times the integrand without its part of first
@@ -11,7 +11,7 @@ order: two integrands have one integral on all such sections if and only if they
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import count
 from typing import Any
@@ -46,6 +46,12 @@ class InRod(OnRod):
         """The value of a printed tree; what is only known by its order is numbered anew in each."""
         self.known["unknowns"] = count(1)
         return super().of(node, indices)
+
+    def call(self, name: str, primes: int, args: Sequence[Any]) -> Any:
+        """A symbol at a place; a quantity that is collected from 0 to s, from 0 to that place."""
+        if name != "L_couple" or primes:
+            return super().call(name, primes, args)
+        return self.name(name).subs(PART, self.before(args[0]))
 
     def order(self, node: t.BigO, indices: Indices) -> Any:
         """Something of the order of a power of ε: that power times what is unknown."""

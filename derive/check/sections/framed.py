@@ -15,7 +15,7 @@ from typing import Any
 from sympy import Abs, Derivative, Dummy, Expr, Function, ImmutableMatrix, MatrixBase, Rational, cancel, eye, sqrt
 from sympy.core.function import AppliedUndef
 
-from derive.check.meaning import Components
+from derive.check.meaning import Components, ell
 from derive.paper import tree as t
 from derive.paper.symbolic import NONE, Indices, to_sympy
 from derive.theory.claims import Domain
@@ -63,8 +63,8 @@ class Framed(Components):
     derivatives of functions of s are, where they are known. variations: what the functions vary by; those that are
     absent do not vary. turn: δq. state: what holds where the formula is read, put into the values at the end, so that
     it may be a law that a derivative or a variation does not keep. units: unit vectors; a multiple of one has the
-    modulus of its factor. at_ends: values of names at 0 and at ℓ. laws: read only relations with 0 on a side, which are
-    laws (True), or only the others (False), or all (None).
+    modulus of its factor. at_ends: what some functions are at 0 and at ℓ. laws: read only relations with 0 on a side,
+    which are laws (True), or only the others (False), or all (None).
     """
 
     title: str
@@ -76,16 +76,13 @@ class Framed(Components):
     turn: ImmutableMatrix | None = None
     state: State = ()
     units: Sequence[Any] = ()
-    at_ends: Mapping[Expr, Callable[[str], Any]] = field(default_factory=dict)
+    at_ends: Mapping[Expr, Mapping[Expr, Expr]] = field(default_factory=dict)
     laws: bool | None = None
     known: dict[Any, Any] = field(default_factory=dict, compare=False, repr=False)
 
     def of(self, node: t.Node, indices: Indices = NONE) -> Any:
         """The value of a printed tree where the state holds."""
-        value = to_sympy(node, self, indices)
-        for put in self.state:
-            value = value.xreplace(put)
-        return value
+        return self.here(to_sympy(node, self, indices))
 
     def reads(self, left: t.Node, right: t.Node) -> bool:
         """Is a relation between these sides read here?"""
@@ -98,13 +95,20 @@ class Framed(Components):
         return self.values[name]
 
     def call(self, name: str, primes: int, args: Sequence[Any]) -> Any:
-        """A symbol at a place: any, s, or an end."""
+        """A symbol at a place on the rod, in the frame at s."""
         (place,) = args
-        if place == self.values.get("s"):
-            return self.rate(self.name(name), primes)
-        if place not in self.at_ends or primes:
+        value = self.rate(self.name(name), primes)
+        if place == s:
+            return value
+        if place not in (0, ell):
             raise self.absent(f"'{name}' at {place}")
-        return self.at_ends[place](name)
+        return elsewhere(self.here(value).xreplace(dict(self.at_ends.get(place, {}))), place)
+
+    def here(self, value: Any) -> Any:
+        """The value where the state holds."""
+        for put in self.state:
+            value = value.xreplace(put)
+        return value
 
     def rate(self, of: Any, order: int) -> Any:
         """The derivative along the rod."""
@@ -160,6 +164,15 @@ def _turning(spin: Any, of: Any) -> Any:
         return Rational(0)
     turn = skew(spin)
     return turn * of if of.shape == (3, 1) else turn * of - of * turn
+
+
+def elsewhere(value: Any, place: Expr) -> Any:
+    """A quantity at another place, in components on the frame at s; the frame there is turned, nobody says how."""
+    there = value.subs(s, place)
+    if not isinstance(value, MatrixBase):
+        return there
+    turn = rotation("turn").matrix.subs(s, place)
+    return turn * there if value.shape == (3, 1) else turn * there * turn.T
 
 
 def derivatives(law: Mapping[Expr, Expr], known: Mapping[Expr, Expr]) -> dict[Expr, Expr]:

@@ -14,17 +14,18 @@ from typing import Any
 from sympy import Expr, ImmutableMatrix, Matrix, Symbol, eye, solve, zeros
 
 from derive.check.meaning import Components, ell
-from derive.check.sections.functionals import OnRod
 from derive.check.sections.framed import Rotation, State, derivatives, rotation
+from derive.check.sections.functionals import OnRod
 from derive.check.sections.remembered import remembered
 from derive.paper import tree as t
 from derive.theory import constraint
 from derive.theory.claims import Domain
 from derive.theory.constraint import FORCE, POSITION
+from derive.theory.elastic import STIFFNESS, TURN
 from derive.theory.frame import along
 from derive.theory.letters import EI, GJ, A, V, chi, chi_tilde, e1, e2, e3, eta_tilde, field, mu0, nu, vector_of, w
 from derive.theory.symbols import s
-from derive.theory.variation import DIRECTION, SHIFT, STIFFNESS, TURN, Balance
+from derive.theory.variation import DIRECTION, SHIFT, Balance
 
 E, G, inertia, torsion = (Symbol(name, positive=True) for name in ("E", "G", "I", "J"))
 MODULI = {EI: E * inertia, GJ: G * torsion}  # the theory's stiffnesses by the printed letters
