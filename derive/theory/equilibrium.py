@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from sympy import Expr, Matrix, Rational, Symbol
 
-from derive.theory import planarity, variation
+from derive.theory import loads, planarity
 from derive.theory.claims import Equal, Notebook
 from derive.theory.constraint import FORCE
 from derive.theory.energy import Energy
@@ -147,7 +147,7 @@ def claim_sphere(state: Equilibrium, book: Notebook) -> None:
 def derive_section2(energy: Energy | None = None, book: Notebook | None = None) -> Equilibrium:
     """All of Section 2, from an energy (paramagnetic particles if none is given) to the equation of equilibrium."""
     book = Notebook() if book is None else book
-    return derive(variation.chain(book, energy), book)
+    return derive(loads.chain(book, energy), book)
 
 
 def main() -> None:

@@ -14,8 +14,8 @@ from typing import Any
 from sympy import Expr, Function, ImmutableMatrix, Integer, Matrix, MatrixBase, Symbol, cancel, oo, solve, sqrt, zeros
 
 from derive.check.meaning import Components, MeaningError, ell
-from derive.check.sections.framed import HIGHEST, Framed, State, rotation
-from derive.check.sections.remembered import remembered
+from derive.check.sections.framed import HIGHEST, Framed, State
+from derive.check.sections.moving import kept, rates_of, rotation_by
 from derive.check.sections.variation import MODULI, SIZES, balanced
 from derive.paper import tree as t
 from derive.theory import plane
@@ -23,11 +23,12 @@ from derive.theory.claims import Domain
 from derive.theory.constraint import FORCE
 from derive.theory.elastic import STIFFNESS
 from derive.theory.equilibrium import Equilibrium
-from derive.theory.letters import EI, chi, e1, e2, e3, eta_tilde, field
+from derive.theory.letters import EI, chi, e1, e2, e3, eta_tilde, field, vector_of
 from derive.theory.symbols import beta, eta, s
 from derive.theory.variation import DIRECTION
 
-AXES = rotation("g")  # the fixed axes x, y, z, in the frame d
+TURN = vector_of("g")
+AXES = rotation_by(TURN)  # the fixed axes x, y, z, in the frame d
 PLACE = ImmutableMatrix([Function(name, real=True)(s) for name in ("x", "y", "z")])  # a point of the axis, by them
 P, Q = (Symbol(f"e_{name}", real=True) for name in "xz")  # of the direction of the field: two ratios
 FIELD = ImmutableMatrix([2 * P, 1 - P**2 - Q**2, 2 * Q]) / (1 + P**2 + Q**2)  # a unit vector, by the fixed axes
@@ -58,14 +59,14 @@ def _parts(value: Any) -> list[Expr]:
     return list(value) if isinstance(value, MatrixBase) else [value]
 
 
-@remembered
+@kept
 def _all(theory: Any) -> list[list[Framed]]:
     state: Equilibrium = theory.section2
     kappa = state.balance.couple.line.rod.frame.kappa
-    law = in_equilibrium(state, EI * beta * (AXES.matrix * e2), AXES.matrix * FIELD)
+    law = in_equilibrium(state, EI * beta * (AXES * e2), AXES * FIELD)
     untwisted = {kappa[2]: Integer(0)}
     # The rod bends about x, which is d₁; its frame is turned about x alone.
-    flat = untwisted | {kappa[1]: Integer(0), P: Integer(0), **dict.fromkeys(AXES.parameters[1:], Integer(0))}
+    flat = untwisted | {kappa[1]: Integer(0), P: Integer(0), **dict.fromkeys(TURN[1:], Integer(0))}
     kinds: dict[str, State] = {"": [law], ", no twist": [law, untwisted], ", in the plane": [law, flat]}
     return [
         [_reading(theory, f"cantilever{title}, field {said} e", sense, kind) for title, kind in kinds.items()]
@@ -85,12 +86,12 @@ def in_equilibrium(state: Equilibrium, force: Matrix, e: Matrix) -> dict[Expr, E
 
 def _reading(theory: Any, title: str, sense: int, state: State) -> Framed:
     kappa = ImmutableMatrix(theory.section2.balance.couple.line.rod.frame.kappa)
-    rates = AXES.turned(-kappa) | dict(zip(PLACE, AXES.matrix.T * e3, strict=True))
+    rates = {**rates_of(TURN, -kappa), **dict(zip(PLACE.diff(s), AXES.T * e3, strict=True))}
     domain = Domain(dict.fromkeys((beta, chi, field, *SIZES.values()), (0, oo)))
     values = _values(theory, sense)
     free = solve(values["M"], list(kappa), dict=True)[0]  # no moment
     at_ends = {Integer(0): dict.fromkeys(PLACE, Integer(0)), ell: free}
-    units = [AXES.matrix * unit for unit in (FIELD, e2)]
+    units = [AXES * unit for unit in (FIELD, e2)]
     return Framed(title, domain, values, kappa, rates, state=state, units=units, at_ends=at_ends)
 
 
@@ -101,13 +102,13 @@ def _values(theory: Any, sense: int) -> dict[str, Any]:
     line = balance.couple.line
     kappa = line.rod.frame.kappa
     straight = dict.fromkeys(line.rod.kappa_u, 0)
-    e, h = AXES.matrix * FIELD, sense * field * (AXES.matrix * FIELD)
+    e, h = AXES * FIELD, sense * field * (AXES * FIELD)
     values = {
-        "x": AXES.matrix * PLACE, "y": PLACE[1], "z": PLACE[2], "s": s, "ell": ell, "zero": zeros(3, 1), "d_3": e3,
-        **{f"e_{name}": AXES.matrix * axis for name, axis in zip("xyz", (e1, e2, e3), strict=True)},
+        "x": AXES * PLACE, "y": PLACE[1], "z": PLACE[2], "s": s, "ell": ell, "zero": zeros(3, 1), "d_3": e3,
+        **{f"e_{name}": AXES * axis for name, axis in zip("xyz", (e1, e2, e3), strict=True)},
         "kappa": kappa, "kappa_u": zeros(3, 1), "kappa_3": kappa[2], "k": sqrt(kappa[0] ** 2 + kappa[1] ** 2),
         "mu": line.rod.mu.subs(straight), "C": STIFFNESS, "M": balance.resultant.subs(straight),
-        "force": EI * beta * (AXES.matrix * e2), "F": EI * beta, "e": e, "h_a": h, "chi": chi, "beta": beta,
+        "force": EI * beta * (AXES * e2), "F": EI * beta, "e": e, "h_a": h, "chi": chi, "beta": beta,
         "eta_tilde": line.moduli[eta_tilde], "eta": state.moduli[eta], **SIZES,
     }  # fmt: skip
     values = {name: value.xreplace(MODULI) for name, value in values.items()}

@@ -15,7 +15,7 @@ from sympy import Expr, ImmutableMatrix, Integer, Symbol, solve, sqrt, zeros
 from derive.check.meaning import Components, ell
 from derive.check.sections.cantilever import first_with, in_equilibrium
 from derive.check.sections.framed import Framed, State
-from derive.check.sections.remembered import remembered
+from derive.check.sections.moving import kept
 from derive.check.sections.variation import MODULI, SIZES
 from derive.paper import tree as t
 from derive.theory.claims import Domain
@@ -34,7 +34,7 @@ def readings(theory: Any, sides: tuple[t.Node, ...], given: tuple[t.Statement, .
     yield first_with(given, laws)
 
 
-@remembered
+@kept
 def _all(theory: Any) -> tuple[Framed, list[Framed]]:
     state: Equilibrium = theory.section2
     kappa = state.balance.couple.line.rod.frame.kappa
@@ -53,7 +53,7 @@ def _all(theory: Any) -> tuple[Framed, list[Framed]]:
 
 def _reading(state: Equilibrium, title: str, here: State, *, laws: bool) -> Framed:
     kappa = ImmutableMatrix(state.balance.couple.line.rod.frame.kappa)
-    rates = dict(zip(DIRECTION, -kappa.cross(DIRECTION), strict=True))
+    rates = dict(zip(DIRECTION.diff(s), -kappa.cross(DIRECTION), strict=True))
     return Framed(title, Domain(), _values(state), kappa, rates, state=here, units=[DIRECTION], laws=laws)
 
 
