@@ -2,8 +2,8 @@
 
 The order in which edits are tried: by kind, the likeliest misprints first; of a kind, exchanged symbols by their
 likeness; then those that give a part as the article prints it elsewhere; then those of other sides than the first,
-which names what is said to equal the others; then in printed order. Exchanged operands of × come even before signs if the
-article prints the exchanged product elsewhere, and the present one nowhere: −a × b and b × a say the same.
+which names what is said to equal the others; then in printed order. Exchanged operands of × come even before signs if
+the article prints the exchanged product elsewhere, and the present one nowhere: −a × b and b × a say the same.
 """
 
 from __future__ import annotations
