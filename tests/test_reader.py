@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from sympy import Function, Symbol, cos
 
 from derive.paper import tree as t
+from derive.paper.brackets import MAX_DEPTH
 from derive.paper.conventions import canonical, scope, scope_of
 from derive.paper.displays import read_displays, read_source
 from derive.paper.errors import ReadError
@@ -18,7 +19,7 @@ from derive.paper.ledger import compare, from_source, load_ledger
 from derive.paper.printer import to_latex
 from derive.paper.reader import parse
 from derive.paper.symbolic import Dot, Rate, to_sympy
-from derive.paper.tokens import MAX_DEPTH, PUNCTUATION, tokenise
+from derive.paper.tokens import PUNCTUATION, tokenise
 
 LEDGER = load_ledger()
 xi, s, ell, a = t.Name("xi"), t.Name("s"), t.Name("ell"), t.Name("a")
@@ -93,7 +94,11 @@ def test_statements_relations_and_arrows():
 def test_letters_change_their_meaning_by_section():
     assert scope_of("exsl9a") == "plane"
     assert scope_of("exhpf13bis") == "orthogonal"
-    assert scope_of("kth16") is None
+    assert scope_of("kth16") == "kirchhoff"
+    assert scope_of("campi") == "magnetization"
+    assert scope_of("exslrm3") == "planarity"
+    assert scope_of("exsl19a") == "parallel"
+    assert scope_of("exsl12b") is None
     assert canonical(r"\boldsymbol d_3") == canonical(r"\boldsymbol{d}_{3}")
     assert scope("orthogonal").by_spelling[r"\bar{\gamma}"].name == "gamma_bar"
     with pytest.raises(ReadError, match=r"'\\overline\{\\gamma\}' is not declared in scope 'parallel'"):

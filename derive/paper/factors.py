@@ -1,4 +1,4 @@
-"""One factor of a row: a symbol, number, bracket, fraction or root, with its primes and its power."""
+"""One factor of a row: a symbol, number, bracket, fraction or root, with what is written on it."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ from lark import Token, Tree
 
 from . import tree as t
 from .conventions import Declared
+from .errors import ReadError
+from .scripts import Scripts, read_scripts
 from .spelling import is_label, spelling
 
 if TYPE_CHECKING:
@@ -21,158 +23,149 @@ Syntax = Any  # Tree[Token] | Token
 class Factor:
     """What stands there before the row is resolved.
 
-    declared: the symbol, if it is one; core: the node without primes and power, unless it is a bracket of several
-    parts; arguments: the parts of a bracket; primes; power.
+    declared: the symbol, if it is one; core: the node without scripts, unless it is a bracket of several parts;
+    arguments: the parts of a bracket.
     """
 
     span: t.Span
     declared: Declared | None = None
     core: t.Node | None = None
     arguments: tuple[t.Node, ...] | None = None
-    primes: int = 0
-    power: t.Node | None = None
+    scripts: Scripts = Scripts()
 
     def node(self, resolver: Resolver) -> t.Node:
         """The factor by itself; ReadError for primes on a constant, a list, a power of a vector but 2."""
         if self.core is None:
             raise resolver.error(self.span[0], "a list in brackets is only read as arguments")
         node = self.core
-        if self.primes:
+        if self.scripts.primes:
             if self.declared is not None and not self.declared.callable:
                 raise resolver.error(self.span[0], f"{self.declared.latex} is a constant; it has no derivative")
-            if isinstance(node, t.Number):
-                raise resolver.error(self.span[0], "a number has no derivative")
-            node = t.Primed(node, self.primes, span=self.span)
-        return self._raised(resolver, node)
+            if isinstance(node, t.Number) or node.type in (t.REGION, t.LIST):
+                raise resolver.error(self.span[0], f"a {type(node).__name__.lower()} has no derivative")
+            node = t.Primed(node, self.scripts.primes, span=self.span)
+        return self.scripts.around(node, self.span, resolver)
 
     def call(self, resolver: Resolver, bracket: Factor) -> t.Node:
         """This symbol applied to a bracket; the power may stand on either."""
-        assert self.declared is not None
+        declared = self.declared
+        assert declared is not None
         span = (self.span[0], bracket.span[1])
         for argument in bracket.arguments or ():
-            if argument.type != t.SCALAR:
-                raise resolver.error(argument.span[0], f"the argument of {self.declared.latex} must be a scalar")
-        if bracket.primes or (self.power is not None and bracket.power is not None):
+            if argument.type != t.SCALAR and not declared.argument:
+                raise resolver.error(argument.span[0], f"the argument of {declared.latex} must be a scalar")
+        power = self.scripts.power
+        if bracket.scripts.primes or self.scripts.at or (power is not None and bracket.scripts.power is not None):
             raise resolver.error(bracket.span[0], "primes or a second power after the argument; write brackets")
-        kind = t.VECTOR if self.declared.kind == "vector" else t.SCALAR
-        node = t.Call(self.declared.name, bracket.arguments or (), self.primes, kind, span=span)
-        if self.power is not None and self.declared.kind == "function" and isinstance(self.power, t.Signed):
-            raise resolver.error(self.power.span[0], "inverse function or reciprocal? write which")
-        return replace(self, span=span, power=self.power or bracket.power)._raised(resolver, node)
+        if declared.kind == "order":
+            if self.scripts.primes or len(bracket.arguments or ()) != 1:
+                raise resolver.error(self.span[0], f"{declared.latex} takes one argument and no primes")
+            return bracket.scripts.around(t.BigO((bracket.arguments or ())[0], span=span), span, resolver)
+        if power is not None and declared.kind == "function" and isinstance(power, t.Signed):
+            raise resolver.error(power.span[0], "inverse function or reciprocal? write which")
+        arguments, primes = bracket.arguments or (), self.scripts.primes
+        node = t.Call(declared.name, arguments, primes, declared.type, declared.index, span=span)
+        scripts = replace(bracket.scripts, power=power or bracket.scripts.power)
+        if self.scripts.transposed:
+            scripts = replace(scripts, transposed=True)
+        return scripts.around(node, span, resolver)
 
     def as_argument(self, resolver: Resolver) -> Factor:
         """This factor as the argument of a function written without brackets."""
         return Factor(self.span, arguments=(self.node(resolver),))
 
-    def _raised(self, resolver: Resolver, node: t.Node) -> t.Node:
-        if self.power is None:
-            return node
-        if self.power.type != t.SCALAR or (node.type == t.VECTOR and self.power != t.Number(2)):
-            raise resolver.error(self.power.span[0], "a vector has a square only, and no exponent is a vector")
-        return t.Power(node, self.power, span=self.span)
-
 
 def read_factor(tree: Syntax, resolver: Resolver) -> Factor:
     """The factor of a syntax tree; ReadError if a symbol is undeclared or its scripts are out of order."""
-    base, *scripts = tree.children
-    primes, power, subscripts = 0, None, False
-    for script in scripts:
-        at = script.meta.start_pos
-        if script.data == "prime":
-            primes += len(script.children)
-        elif script.data == "subscript" or is_label(script.children[0]):
-            subscripts = True
-        elif power is not None:
-            raise resolver.error(at, "two powers on one symbol; write brackets")
-        else:
-            power = _argument(script.children[0], resolver)
-        if script.data == "prime" and power is not None:
-            raise resolver.error(at, "a prime after a power; write brackets")
+    base, *written = tree.children
     span = (tree.meta.start_pos, tree.meta.end_pos)
-    if isinstance(base, Tree) and base.data not in ("accent", "braces"):
-        if subscripts:
-            raise resolver.error(span[0], "an index on a bracket or fraction is not read")
-        core, arguments = _compound(base, resolver)
-        return Factor(span, None, core, arguments, primes, power)
-    if isinstance(base, Token) and base.type == "NUMBER":
-        if subscripts:
+    if isinstance(base, Token | Tree) and _is_symbol(base):
+        return _symbol(tree, resolver)
+    square = isinstance(base, Tree) and base.data == "group" and base.children[0].type == "LBRACKET"
+    scripts = read_scripts(written, square, resolver)
+    if isinstance(base, Token):
+        if base.type != "NUMBER":
+            raise resolver.error(span[0], f"'{base}' stands here without what belongs to it")
+        if scripts.named:
             raise resolver.error(span[0], "a number has no index")
-        return Factor(span, None, t.Number(int(base), span=_token_span(base)), None, primes, power)
-    return _symbol(tree, resolver, primes, power)
+        return Factor(span, None, t.Number(int(base), span=_token_span(base)), None, scripts)
+    if scripts.named:
+        raise resolver.error(span[0], "an index on a bracket or fraction is not read")
+    core, arguments = _compound(base, resolver)
+    return Factor(span, None, core, arguments, scripts)
 
 
-def _symbol(tree: Syntax, resolver: Resolver, primes: int, power: t.Node | None) -> Factor:
+def _is_symbol(base: Syntax) -> bool:
+    return base.type in ("LETTER", "COMMAND") if isinstance(base, Token) else base.data in ("accent", "braces")
+
+
+def _symbol(tree: Syntax, resolver: Resolver) -> Factor:
     span = (tree.meta.start_pos, tree.meta.end_pos)
+    base, *written = tree.children
     spelled = spelling(tree, resolver.error)
-    declared = resolver.scope.by_spelling.get(spelled)
+    whole = _whole(tree, resolver)
+    declared = whole or resolver.scope.by_spelling.get(spelled)
     if declared is None:
         known = f"not declared in scope '{resolver.scope.name}'"
         raise resolver.error(span[0], f"'{spelled}' is {known}; declare it in conventions.toml or mend the spelling")
-    kind = t.VECTOR if declared.kind == "vector" else t.SCALAR
-    return Factor(span, declared, t.Name(declared.name, kind, span=(span[0], _name_end(tree))), None, primes, power)
+    kept = [script for script in written if whole is None or script.data not in ("subscript", "superscript")]
+    core = t.Name(declared.name, declared.type, declared.index, span=(span[0], _name_end(base, written, whole)))
+    return Factor(span, declared, core, None, read_scripts(kept, False, resolver))
 
 
-def _name_end(tree: Syntax) -> int:
+def _whole(tree: Syntax, resolver: Resolver) -> Declared | None:
+    """The symbol, if all superscripts belong to its name."""
+    try:
+        return resolver.scope.by_spelling.get(spelling(tree, resolver.error, powers=True))
+    except ReadError:  # an exponent that cannot be part of a name
+        return None
+
+
+def _name_end(base: Syntax, written: list[Syntax], whole: Declared | None) -> int:
     """Where a symbol ends and its primes and power begin."""
-    base, *scripts = tree.children
-    ends = [script.meta.end_pos for script in scripts if script.data == "subscript" or is_label(script.children[0])]
+    ends = [
+        script.meta.end_pos for script in written
+        if script.data == "subscript"
+        or (script.data == "superscript" and (whole is not None or is_label(script.children[0])))
+    ]  # fmt: skip
     return max([*ends, base.end_pos if isinstance(base, Token) else base.meta.end_pos])
 
 
 def _compound(base: Tree[Token], resolver: Resolver) -> tuple[t.Node | None, tuple[t.Node, ...] | None]:
-    """A fraction, a root, or a bracket with its parts."""
+    """A fraction, a root, bars, a stack, cases, or a bracket with its parts."""
     span = (base.meta.start_pos, base.meta.end_pos)
+    children: list[Any] = base.children
     if base.data == "fraction":
-        return _fraction(base, resolver, span), None
+        return resolver.fraction(base, span), None
     if base.data == "root":
         return _root(base, resolver, span), None
-    parts: Any = base.children[0]
+    if base.data == "norm":
+        return resolver.norm(resolver.sum(children[1]), span), None
+    if base.data in ("stack", "cases"):
+        return resolver.rows_of(base, span), None
+    opening, parts, closing = children
     arguments = tuple(resolver.sum(part) for part in parts.children if isinstance(part, Tree))
-    return (replace(arguments[0], span=span) if len(arguments) == 1 else None), arguments
-
-
-def _fraction(base: Any, resolver: Resolver, span: t.Span) -> t.Node:
-    above, below = base.children[1:]
-    if _differential(above) and "d" not in resolver.scope.by_spelling:
-        if not _differential(below):
-            raise resolver.error(below.meta.start_pos, "d stands above but not below; a derivative needs both")
-        of, by = (resolver.chain(_row(part)[1:]) for part in (above, below))
-        if not isinstance(by, t.Name):
-            raise resolver.error(by.span[0], "a derivative is taken with respect to a symbol")
-        return t.Derivative(of, by, span=span)
-    return replace(resolver.quotient(_argument(above, resolver), _argument(below, resolver)), span=span)
+    commas = [part for part in parts.children if isinstance(part, Token)]
+    if opening.type == "LSET":
+        if any(comma != "," for comma in commas):
+            raise resolver.error(span[0], "the parts of a list stand between commas")
+        return t.Listing(arguments, span=span), None
+    if len(arguments) == 1:
+        if "[" in closing or "]" in opening:
+            raise resolver.error(span[0], "an interval has two ends")
+        return replace(arguments[0], span=span), arguments
+    if len(arguments) == 2 and commas[0] == ",":
+        left, right = opening[-1] in "(]", closing[-1] in ")["
+        return t.Interval(*arguments, left, right, span=span), arguments
+    return None, arguments
 
 
 def _root(base: Any, resolver: Resolver, span: t.Span) -> t.Node:
-    degree = _argument(base.children[1], resolver) if len(base.children) > 2 else t.Number(2)
-    of = _argument(base.children[-1], resolver)
+    degree = resolver.sum(base.children[2]) if len(base.children) > 2 else t.Number(2)
+    of = resolver.argument(base.children[-1])
     if not isinstance(degree, t.Number) or of.type != t.SCALAR or degree.value < 2:
         raise resolver.error(span[0], "a root needs a scalar, and a number of 2 or more as its degree")
     return t.Root(of, degree.value, span=span)
-
-
-def _row(argument: Any) -> list[Syntax]:
-    """The factors of a braced argument that is one unsigned row, else nothing."""
-    inner = argument.children[0]
-    if isinstance(inner, Tree) and inner.data == "sum" and len(inner.children) == 1:
-        return list(inner.children[0].children)
-    return []
-
-
-def _differential(argument: Any) -> bool:
-    row = _row(argument)
-    return len(row) > 1 and isinstance(row[0], Tree) and row[0].children == ["d"]
-
-
-def _argument(tree: Any, resolver: Resolver) -> t.Node:
-    """The argument of a script, a fraction or a root: one token, or a formula in braces."""
-    if tree.data == "sum":
-        return resolver.sum(tree)
-    inner = tree.children[0]
-    if isinstance(inner, Tree) and inner.data == "sum":
-        return resolver.sum(inner)
-    factor = Tree("factor", [inner], tree.meta)
-    return read_factor(factor, resolver).node(resolver)
 
 
 def _token_span(token: Token) -> t.Span:

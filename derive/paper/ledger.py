@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
-from importlib.resources import files
 
 from .conventions import scope_of
 from .displays import Display, read_displays
 from .errors import ReadError
+from .order import entries
 from .tokens import PUNCTUATION, tokenise
 
 
@@ -46,9 +45,8 @@ class Difference:
 @cache
 def load_ledger() -> dict[str, Record]:
     """All records by id, in the order of the article. ValueError for a record with unknown or missing fields."""
-    data = tomllib.loads(files(__package__).joinpath("ledger.toml").read_text(encoding="utf-8"))
     records: dict[str, Record] = {}
-    for entry in data["formula"]:
+    for entry in entries():
         unknown = set(entry) - {"id", "line", "latex", "given", "domain"}
         if unknown or entry["id"] in records:
             raise ValueError(f"ledger.toml: '{entry['id']}' is there twice or has unknown fields {sorted(unknown)}")

@@ -1,32 +1,54 @@
 """Typed trees → LaTeX that reads back as the same tree.
 
-Brackets stand where the reader would otherwise see another tree, and nowhere else; a fraction is always ``\\frac``.
+Brackets stand where the reader would otherwise see another tree, and in products of vectors wherever they help the
+eye; a fraction is always ``\\frac``. What is written in special ways (integrals, cases …) is in ``layouts``.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 
 from . import tree as t
-from .conventions import Scope
+from .conventions import LETTERS, Scope
 from .conventions import scope as conventions_of
+from .indices import plain
+from .layouts import LAYOUTS
 from .resolve import RELATIONS
+
+_WRITTEN = {operator: latex for latex, operator in reversed(RELATIONS.items())}
+_SIGNS = {t.Dot: r"\cdot", t.Cross: r"\times", t.Outer: r"\otimes", t.RegionProduct: r"\times"}
+_APPLIED = (t.Apply, t.Compose)
+_TO_THE_END = (t.Integral, t.Limit)  # what takes the rest of its row
 
 
 def to_latex(statement: t.Statement | t.Node, scope: str) -> str:
     """LaTeX of a statement or of an expression, in the letters of a scope. KeyError for a name it does not have."""
-    printer = _Printer(conventions_of(scope))
+    printer = Printer(conventions_of(scope))
     if isinstance(statement, t.Node):
-        return printer.sum(statement)
-    first, *others = (printer.sum(side) for side in statement.sides)
-    written = {operator: latex for latex, operator in reversed(RELATIONS.items())}
-    operators = [written[operator] for operator in statement.operators]
-    return " ".join([first, *(f"{op} {side}" for op, side in zip(operators, others, strict=True))])
+        return printer.sum(plain(statement))
+    said = [printer.where(other) for other in statement.where]
+    return r" \,, \quad ".join([printer.chain(statement.sides, statement.operators), *said])
 
 
-class _Printer:
+class Printer:
+    """Prints trees in the letters of a scope; sums over repeated indices must be gone from them."""
+
     def __init__(self, scope: Scope) -> None:
         self.scope = scope
+
+    def chain(self, sides: Sequence[t.Node], operators: Sequence[str]) -> str:
+        """Sides and relations."""
+        first, *others = (self.sum(plain(side)) for side in sides)
+        return " ".join([first, *(f"{_WRITTEN[op]} {side}" for op, side in zip(operators, others, strict=True))])
+
+    def where(self, said: t.Statement) -> str:
+        """What is said of a letter."""
+        letter, values = said.sides
+        if isinstance(letter, t.Name) and letter.type == t.INDEX and isinstance(values, t.Listing):
+            written = {name: latex for latex, name in LETTERS.items()}
+            return f"{written[letter.name]} = {', '.join(self.sum(value) for value in values.items)}"
+        return self.chain(said.sides, said.operators)
 
     def sum(self, node: t.Node) -> str:
         """Where any expression may stand."""
@@ -44,37 +66,56 @@ class _Printer:
         """Where a product may stand: a row of factors, its last one perhaps joined by · or ×."""
         if isinstance(node, t.Product):
             *before, last = node.factors
-            joined = isinstance(last, t.Dot | t.Cross) and all(factor.type == t.SCALAR for factor in before)
+            scalars = all(factor.type == t.SCALAR for factor in before)
+            joined = isinstance(last, t.Dot | t.Cross | t.Outer | t.Apply | _LAST) and scalars
             shown = [self.factor(factor) for factor in before]
             shown.append(self.joined(last) if joined else self.factor(last))
-            return self._side_by_side([*before, last], shown)
+            return self.side_by_side([*before, last], shown)
         return self.joined(node)
 
-    def _side_by_side(self, nodes: list[t.Node], shown: list[str]) -> str:
+    def joined(self, node: t.Node) -> str:
+        """Where a row without scalars beside it may stand."""
+        match node:
+            case t.Dot() | t.Outer():
+                return f"{self._operand(node.left)} {_SIGNS[type(node)]} {self._operand(node.right)}"
+            case t.RegionProduct():
+                return f"{self.joined(node.left)} {_SIGNS[type(node)]} {self.factor(node.right)}"
+            case t.Cross():
+                return f"{self.factor(node.left)} {_SIGNS[type(node)]} {self.factor(node.right)}"
+            case t.Apply():
+                return self._beside(node.tensor, node.vector)
+            case t.Compose():
+                return self._beside(node.left, node.right)
+            case t.Integral() | t.Limit():
+                return LAYOUTS[type(node)](self, node)
+        return self.factor(node)
+
+    def _operand(self, node: t.Node) -> str:
+        return self.joined(node) if isinstance(node, t.Cross) else self.factor(node)
+
+    def _beside(self, left: t.Node, right: t.Node) -> str:
+        return self.side_by_side([left, right], [self.factor(left), self.factor(right)])
+
+    def side_by_side(self, nodes: Sequence[t.Node], shown: Sequence[str]) -> str:
         """Keep a symbol from taking the bracket after it as its argument."""
+        written = list(shown)
         for n, (node, other) in enumerate(pairwise(nodes)):
             if isinstance(node, t.Number) and isinstance(other, t.Number):
                 raise ValueError("two numbers side by side cannot be printed; multiply them")
-            if shown[n + 1].startswith(r"\left(") and self._open_ended(node):
-                shown[n] = rf"\left( {shown[n]} \right)"
-        return " ".join(shown)
+            if written[n + 1].startswith((r"\left(", r"\left[")) and self._open_ended(node):
+                written[n] = rf"\left( {written[n]} \right)"
+        return " ".join(written)
 
     def _open_ended(self, node: t.Node) -> bool:
         """Would the reader try a bracket after this as its argument?"""
-        if isinstance(node, t.Power | t.Primed):
-            return self._open_ended(node.base if isinstance(node, t.Power) else node.of)
-        return isinstance(node, t.Name) and self.scope.by_name[node.name].callable
-
-    def joined(self, node: t.Node) -> str:
-        """Where · and × may stand without brackets."""
-        if isinstance(node, t.Dot):
-            return rf"{self._crossed(node.left)} \cdot {self._crossed(node.right)}"
-        return self._crossed(node)
-
-    def _crossed(self, node: t.Node) -> str:
-        if isinstance(node, t.Cross):
-            return rf"{self.factor(node.left)} \times {self.factor(node.right)}"
-        return self.factor(node)
+        match node:
+            case t.Power():
+                return self._open_ended(node.base)
+            case t.Primed() | t.Varied() | t.Transpose():
+                return self._open_ended(node.of)
+            case t.Name():
+                return self.scope.declared(node.name, node.index).callable
+        return isinstance(node, t.Derivative)
 
     def factor(self, node: t.Node) -> str:
         """Where one factor may stand."""
@@ -82,23 +123,21 @@ class _Printer:
             case t.Number():
                 return str(node.value)
             case t.Name():
-                return self.scope.by_name[node.name].latex
+                return self.scope.declared(node.name, node.index).latex
             case t.Call():
-                return self._call(node, "")
+                return self.call(node, "")
             case t.Primed(of=t.Name()):
-                return f"{self.factor(node.of)}{_primes(node.order)}"
+                return f"{self.factor(node.of)}{primes(node.order)}"
             case t.Primed():
-                return f"{self.bracket(node.of)}{_primes(node.order)}"
-            case t.Quotient():
-                return rf"\frac{{{self.sum(node.above)}}}{{{self.sum(node.below)}}}"
-            case t.Derivative():
-                return rf"\frac{{d {self.row(node.of)}}}{{d {self.factor(node.by)}}}"
+                return f"{self.bracket(node.of)}{primes(node.order)}"
             case t.Power():
                 return self._power(node)
-            case t.Root():
-                degree = "" if node.degree == 2 else f"[{node.degree}]"
-                return rf"\sqrt{degree}{{{self.sum(node.of)}}}"
-        return self.bracket(node)
+            case t.Transpose(of=t.Name()):
+                return rf"{self.factor(node.of)}^{{\mathsf{{T}}}}"
+            case t.Transpose():
+                return rf"{self.bracket(node.of)}^{{\mathsf{{T}}}}"
+        layout: Callable[[Printer, t.Node], str] | None = LAYOUTS.get(type(node))
+        return self.bracket(node) if layout is None or isinstance(node, _TO_THE_END) else layout(self, node)
 
     def bracket(self, node: t.Node) -> str:
         """In brackets."""
@@ -107,17 +146,24 @@ class _Printer:
     def _power(self, node: t.Power) -> str:
         exponent = f"^{{{self.sum(node.exponent)}}}"
         if isinstance(node.base, t.Call) and not isinstance(node.exponent, t.Signed):
-            return self._call(node.base, exponent)
-        if isinstance(node.base, t.Name | t.Number):
+            return self.call(node.base, exponent)
+        if isinstance(node.base, t.Name | t.Number | t.Norm):
             return self.factor(node.base) + exponent
         return self.bracket(node.base) + exponent
 
-    def _call(self, node: t.Call, power: str) -> str:
-        head = self.scope.by_name[node.name].latex + (_primes(node.primes) if node.primes else "")
+    def call(self, node: t.Call, power: str) -> str:
+        """A function at its arguments."""
+        declared = self.scope.declared(node.name, node.index)
+        head = declared.latex + (primes(node.primes) if node.primes else "")
         first, *others = (self.sum(arg) for arg in node.args)
-        inside = f"{first}; {', '.join(others)}" if others else first
+        mark = "," if " " in declared.argument else ";"  # coordinates, or an argument and parameters
+        inside = f"{first}{mark} {', '.join(others)}" if others else first
         return rf"{head}{power} \left( {inside} \right)"
 
 
-def _primes(order: int) -> str:
+_LAST = t.Integral | t.Limit | t.Compose
+
+
+def primes(order: int) -> str:
+    """The primes of a derivative."""
     return "^{" + " ".join([r"\prime"] * order) + "}"

@@ -1,28 +1,31 @@
 """The typed pass: the syntax of a statement and the conventions of its section → the typed tree.
 
-A row of factors is resolved by declared types. Application: only of a symbol declared to take arguments, and only if
-the bracket's sort fits; × binds before ·; scalars come before the vector they multiply. What fits two readings, or
-none, is a ReadError.
+Here: statements, sums and compound factors. A row of factors is resolved in ``rows``, by declared types; sums over
+repeated indices are found in ``indices``. What fits two readings, or none, is a ReadError.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import pairwise
+from dataclasses import replace
 from typing import Any
 
 from lark import Token, Tree
 
 from . import tree as t
-from .conventions import Declared, Scope
-from .factors import Factor, read_factor
+from .conventions import Scope
+from .differentials import differential, fraction_row
+from .factors import read_factor
+from .indices import contracted, one_set_of_free
+from .rows import read_row
 from .spelling import Complain
 
 # Relations as printed, and the operators of a Statement; the first spelling is the one that is printed.
 RELATIONS = {
     "=": "=", "<": "<", ">": ">", r"\to": "->", r"\le": "<=", r"\leq": "<=", r"\ge": ">=", r"\geq": ">=",
-    r"\ne": "!=", r"\neq": "!=",
+    r"\ne": "!=", r"\neq": "!=", r"\in": "in", r"\notin": "notin",
 }  # fmt: skip
+MEMBERSHIP = ("in", "notin")
 Syntax = Any  # Tree[Token] | Token: lark's children are one or the other
 
 
@@ -34,12 +37,23 @@ class Resolver:
 
     def statement(self, tree: Tree[Token]) -> t.Statement:
         """A chain of relations whose sides have one type (0 fits any)."""
-        sides = tuple(self.sum(part) for part in tree.children if isinstance(part, Tree))
-        operators = tuple(RELATIONS[part] for part in tree.children if isinstance(part, Token))
+        sides, operators = self._chain(tree.children)
         if not operators:
             raise self.error(tree.meta.start_pos, "a statement needs a relation; this is an expression only")
-        self._one_type([side for side in sides if side != t.Number(0)])
-        return t.Statement(sides, operators, span=_span(tree))
+        sides = [contracted(side, self.error) for side in sides]
+        one_set_of_free(sides, self.error)
+        return t.Statement(tuple(sides), tuple(operators), span=_span(tree))
+
+    def _chain(self, children: Sequence[Syntax]) -> tuple[list[t.Node], list[str]]:
+        sides = [self.sum(part) for part in children if isinstance(part, Tree)]
+        operators = [RELATIONS[part] for part in children if isinstance(part, Token)]
+        for operator, other in zip(operators, sides[1:], strict=True):
+            if (operator in MEMBERSHIP) != (other.type == t.REGION):
+                raise self.error(other.span[0], f"a {other.type} cannot stand here; regions stand after \\in")
+        quantities = [side for side in sides if side.type != t.REGION]
+        if sides and sides[0].type == t.REGION:
+            raise self.error(sides[0].span[0], "a region cannot stand on a left side")
+        return self._fitted(quantities) + [side for side in sides if side.type == t.REGION], operators
 
     def sum(self, tree: Syntax) -> t.Node:
         """Signed terms of one type."""
@@ -49,130 +63,90 @@ class Resolver:
             if isinstance(child, Token):
                 sign = child
                 continue
-            term = self.chain(child.children)
+            term = read_row(child.children, self)
             if sign is not None and not (sign == "+" and terms):
                 term = t.Signed(str(sign), term, span=(sign.start_pos or 0, term.span[1]))
             terms.append(term)
-        self._one_type(terms)
-        return terms[0] if len(terms) == 1 else t.Sum(tuple(terms), span=_span(tree))
+        if len(terms) == 1:
+            return terms[0]
+        return t.Sum(tuple(self._fitted(terms)), span=_span(tree))
 
-    def _one_type(self, nodes: Sequence[t.Node]) -> None:
-        for node in nodes[1:]:
-            if node.type != nodes[0].type:
-                raise self.error(node.span[0], f"a {node.type} stands beside a {nodes[0].type}; check the types")
+    def row(self, items: Sequence[Syntax]) -> t.Node:
+        """One row of factors."""
+        return read_row(items, self)
 
-    def chain(self, items: Sequence[Syntax]) -> t.Node:
-        """One row of factors: split at ·, then at ×, then at /."""
-        left, *right = _split(items, "CDOT", self.error)
-        nodes = self._crossed(left)
-        if right:
-            *scalars, vector = self._last_vector(nodes)
-            other = self._product(self._crossed(right[0]))
-            if other.type != t.VECTOR:
-                raise self.error(other.span[0], "· joins vectors; write products of scalars side by side")
-            nodes = [*scalars, t.Dot(vector, other, span=(vector.span[0], other.span[1]))]
-        return self._product(nodes)
+    def _fitted(self, nodes: Sequence[t.Node]) -> list[t.Node]:
+        """Nodes of one type; 0 fits any as a side, and O(…) takes the type of what stands beside it."""
+        typed = [node for node in nodes if not _is_order(node) and node != t.Number(0)] or list(nodes)
+        for node in typed[1:]:
+            if node.type != typed[0].type:
+                raise self.error(node.span[0], f"a {node.type} stands beside a {typed[0].type}; check the types")
+        return [_with_kind(node, typed[0].type) for node in nodes]
 
-    def _crossed(self, items: Sequence[Syntax]) -> list[t.Node]:
-        left, *right = _split(items, "CROSS", self.error)
-        nodes = self._divided(left)
-        if right:
-            *scalars, vector = self._last_vector(nodes)
-            other = self._product(self._divided(right[0]))
-            if other.type != t.VECTOR:
-                raise self.error(other.span[0], "× joins vectors; write products of scalars side by side")
-            nodes = [*scalars, t.Cross(vector, other, span=(vector.span[0], other.span[1]))]
-        return nodes
+    def argument(self, tree: Syntax) -> t.Node:
+        """The argument of a script, a fraction or a root: one token, or a formula in braces."""
+        if tree.data == "sum":
+            return self.sum(tree)
+        inner = tree.children[0]
+        if isinstance(inner, Tree) and inner.data == "sum":
+            return self.sum(inner)
+        return read_factor(Tree("factor", [inner], tree.meta), self).node(self)
 
-    def _last_vector(self, nodes: list[t.Node]) -> list[t.Node]:
-        if nodes[-1].type != t.VECTOR:
-            raise self.error(nodes[-1].span[0], "the last factor before · or × is no vector; write brackets")
-        return nodes
-
-    def _divided(self, items: Sequence[Syntax]) -> list[t.Node]:
-        left, *right = _split(items, "SLASH", self.error)
-        nodes = self._applied(left)
-        if right:
-            below = self._applied(right[0])
-            if len(below) > 1:
-                raise self.error(below[1].span[0], "where does the denominator after '/' end? write brackets")
-            nodes = [self.quotient(self._product(nodes), below[0])]
-        return nodes
+    def norm(self, of: t.Node, span: t.Span) -> t.Node:
+        """|of|."""
+        if of.type not in (t.SCALAR, t.VECTOR):
+            raise self.error(span[0], f"a {of.type} stands between bars")
+        return t.Norm(of, span=span)
 
     def quotient(self, above: t.Node, below: t.Node) -> t.Node:
         """above / below, by a scalar."""
-        if below.type != t.SCALAR:
-            raise self.error(below.span[0], "a vector stands in a denominator")
+        if below.type != t.SCALAR or above.type in (t.REGION, t.LIST):
+            raise self.error(below.span[0], f"a {above.type} is divided by a {below.type}")
         return t.Quotient(above, below, span=(above.span[0], below.span[1]))
 
-    def _product(self, nodes: Sequence[t.Node]) -> t.Node:
-        vectors = [node for node in nodes if node.type == t.VECTOR]
-        if len(vectors) > 1:
-            raise self.error(vectors[1].span[0], "two vectors side by side; write · or × between them")
-        for one, other in pairwise(nodes):
-            if isinstance(one, t.Number) and isinstance(other, t.Number):
-                raise self.error(other.span[0], "two numbers side by side; write brackets or one number")
-        span = (nodes[0].span[0], nodes[-1].span[1])
-        return nodes[0] if len(nodes) == 1 else t.Product(tuple(nodes), span=span)
+    def fraction(self, tree: Any, span: t.Span) -> t.Node:
+        """A quotient, or the derivative of one quantity by a symbol."""
+        above, below = (fraction_row(part) for part in tree.children[1:])
+        mark = differential(above[:2], self)
+        if not mark:
+            parts = (self.argument(part) for part in tree.children[1:])
+            return replace(self.quotient(*parts), span=span)
+        if differential(below[:2], self) != mark:
+            message = f"{mark} stands above but not below; a derivative needs both"
+            raise self.error(tree.children[2].meta.start_pos, message)
+        of, by = (read_row(part[1:], self) for part in (above, below))
+        if not isinstance(by, t.Name) or by.type != t.SCALAR:
+            raise self.error(by.span[0], "a derivative is taken with respect to a scalar symbol")
+        return t.Derivative(of, by, mark != "d", span=span)
 
-    def _applied(self, items: Sequence[Syntax]) -> list[t.Node]:
-        """Side by side without operators: symbols take the arguments that fit."""
-        rest = [read_factor(item, self) for item in items]
-        nodes: list[t.Node] = []
-        while rest:
-            head = rest.pop(0)
-            if head.declared is not None and head.declared.callable:
-                nodes.append(self._call(head, head.declared, rest))
-            else:
-                nodes.append(head.node(self))
-        return nodes
+    def rows_of(self, tree: Any, span: t.Span) -> t.Node:
+        """A stack of quantities, or cases."""
+        if tree.data == "stack":
+            rows = self._fitted([self.sum(part) for part in tree.children if isinstance(part, Tree)])
+            return t.Stack(tuple(rows), span=span)
+        values, conditions = [], []
+        for case in (part for part in tree.children if isinstance(part, Tree)):
+            first, *chain = [part for part in case.children if not _is_mark(part)]
+            sides, operators = self._chain(chain)
+            values.append(self.sum(first))
+            at = (chain[0].meta.start_pos, chain[-1].meta.end_pos)
+            conditions.append(t.Condition(tuple(sides), tuple(operators), span=at))
+        return t.Cases(tuple(self._fitted(values)), tuple(conditions), span=span)
 
-    def _call(self, head: Factor, declared: Declared, rest: list[Factor]) -> t.Node:
-        if rest and rest[0].arguments is not None and self._fits(declared, rest[0]):
-            return head.call(self, rest.pop(0))
-        if declared.kind != "function":
-            return head.node(self)
-        if not declared.prefix or not rest:
-            raise self.error(head.span[1], f"the function {declared.latex} needs an argument in brackets")
-        bare = rest.pop(0)
-        if bare.declared is not None and bare.declared.kind == "function":
-            raise self.error(bare.span[0], f"write brackets around the argument of {declared.latex}")
-        if rest and not (rest[0].declared is not None and rest[0].declared.kind == "function"):
-            raise self.error(rest[0].span[0], f"where does the argument of {declared.latex} end? write brackets")
-        return head.call(self, bare.as_argument(self))
 
-    def _fits(self, declared: Declared, bracket: Factor) -> bool:
-        """Is the bracket an argument of the symbol? ReadError if it may be one as well as a factor."""
-        arguments = bracket.arguments or ()
-        if declared.kind == "function":
-            if len(arguments) not in declared.arity:
-                allowed = " or ".join(map(str, declared.arity))
-                raise self.error(bracket.span[0], f"{declared.latex} takes {allowed} arguments, not {len(arguments)}")
-            return True
-        sorts = {self._sort(node.name) for part in arguments for node in part.walk() if isinstance(node, t.Name)}
-        if sorts == {declared.argument} or (not sorts and arguments == (t.Number(0),)):
-            return True
-        if declared.argument in sorts or not sorts:
-            message = f"is this bracket the argument of {declared.latex} or a factor? write the product in brackets"
-            raise self.error(bracket.span[0], message)
-        return False
+def _is_mark(part: Syntax) -> bool:
+    return isinstance(part, Token) and part.type != "RELATION"
 
-    def _sort(self, name: str) -> str:
-        return self.scope.by_name[name].sort
+
+def _is_order(node: t.Node) -> bool:
+    return isinstance(node, t.BigO) or (isinstance(node, t.Signed) and _is_order(node.of))
+
+
+def _with_kind(node: t.Node, kind: str) -> t.Node:
+    if isinstance(node, t.Signed) and _is_order(node):
+        return replace(node, of=_with_kind(node.of, kind))
+    return replace(node, kind=kind) if isinstance(node, t.BigO) else node
 
 
 def _span(tree: Tree[Token]) -> t.Span:
     return tree.meta.start_pos, tree.meta.end_pos
-
-
-def _split(items: Sequence[Syntax], kind: str, error: Complain) -> list[Sequence[Syntax]]:
-    """The items before and after the one operator of a kind; ReadError if there are two or one has no operand."""
-    at = [n for n, item in enumerate(items) if isinstance(item, Token) and item.type == kind]
-    if not at:
-        return [items]
-    if len(at) > 1:
-        raise error(items[at[1]].start_pos or 0, f"two '{items[at[1]]}' in one product; write brackets")
-    before, after = items[: at[0]], items[at[0] + 1 :]
-    if not before or not after or any(isinstance(side, Token) for side in (before[-1], after[0])):
-        raise error(items[at[0]].start_pos or 0, f"'{items[at[0]]}' needs an operand on both sides")
-    return [before, after]

@@ -1,4 +1,4 @@
-"""The canonical spelling of a printed symbol: accents braced, subscripts braced, spaces gone."""
+"""The canonical spelling of a printed symbol: accents braced, subscripts braced and first, spaces gone."""
 
 from __future__ import annotations
 
@@ -10,31 +10,48 @@ from .errors import ReadError
 
 Complain = Callable[[int, str], ReadError]
 _LABEL_FONTS = ("\\mathrm", "\\mathsf")
+_TRANSPOSE = r"\mathsf{T}"
 
 
 def is_label(argument: Tree[Token] | Token) -> bool:
     """Is this superscript a label like ``^\\mathrm{u}``, part of the symbol's name?"""
-    first = argument.children[0] if isinstance(argument, Tree) else argument
+    first = _first(argument)
     return isinstance(first, Tree) and first.data == "accent" and first.children[0] in _LABEL_FONTS
 
 
-def spelling(tree: Tree[Token] | Token, error: Complain) -> str:
-    """The canonical spelling of a factor without its primes and powers; ReadError if it is no symbol."""
+def is_transpose(argument: Tree[Token] | Token, error: Complain) -> bool:
+    """Is this superscript the sign of the transpose?"""
+    return is_label(argument) and spelling(argument, error) == _TRANSPOSE
+
+
+def _first(tree: Tree[Token] | Token) -> Tree[Token] | Token:
+    """What a braced argument holds, if it holds one thing."""
+    while isinstance(tree, Tree) and tree.data in ("arg", "sum", "chain", "factor") and len(tree.children) == 1:
+        tree = tree.children[0]
+    return tree
+
+
+def spelling(tree: Tree[Token] | Token, error: Complain, powers: bool = False) -> str:
+    """The canonical spelling of a factor without its primes and powers; ReadError if it is no symbol.
+
+    powers: take every superscript for a part of the name, as in the inverse of a function or an upper index.
+    """
     if isinstance(tree, Token):
         return str(tree)
     if tree.data == "accent":
         return f"{tree.children[0]}{{{spelling(tree.children[1], error)}}}"
     if tree.data == "factor":
-        return "".join(_script(part, error) if number else spelling(part, error)
-                       for number, part in enumerate(tree.children))  # fmt: skip
+        base, *scripts = tree.children
+        scripted = [script for script in scripts if isinstance(script, Tree)]
+        lower = [_script(part, error) for part in scripted if part.data == "subscript"]
+        upper = [_script(part, error) for part in scripted if part.data == "superscript"
+                 if powers or (is_label(part.children[0]) and not is_transpose(part.children[0], error))]  # fmt: skip
+        return "".join([spelling(base, error, powers), *lower, *upper])
     if tree.data in ("arg", "sum", "chain", "braces"):
-        return "".join(spelling(part, error) for part in tree.children)
+        return "".join(spelling(part, error, powers) for part in tree.children)
     raise error(tree.meta.start_pos, "this cannot be part of a symbol's name")
 
 
-def _script(part: Tree[Token] | Token, error: Complain) -> str:
-    if isinstance(part, Tree) and part.data == "subscript":
-        return f"_{{{spelling(part.children[0], error)}}}"
-    if isinstance(part, Tree) and part.data == "superscript" and is_label(part.children[0]):
-        return f"^{{{spelling(part.children[0], error)}}}"
-    return ""
+def _script(part: Tree[Token], error: Complain) -> str:
+    mark = "_" if part.data == "subscript" else "^"
+    return f"{mark}{{{spelling(part.children[0], error)}}}"

@@ -12,10 +12,11 @@ from lark.lexer import Lexer
 
 from .errors import ReadError
 
-_HIDDEN = ("SUP", "SUB", "LPAR", "RPAR", "LBRACKET", "RBRACKET", "LBRACE", "RBRACE")
+_HIDDEN = ("SUP", "SUB", "LBRACE", "RBRACE")
 _SAID = {
     "RELATION": "a relation", "SIGN": "a sign", "CDOT": "a dot product", "CROSS": "a cross product", "SLASH": "'/'",
-    "COMMA": "','", "SEMICOLON": "';'", "DOT": "'.'", "TICK": "a prime", "PRIME": "a prime", "$END": "the end",
+    "COMMA": "','", "SEMICOLON": "';'", "DOT": "'.'", "TICK": "a prime", "PRIME": "a prime",
+    "OUTER": "a tensor product", "EVAL": "an evaluation bar", "$END": "the end",
 }  # fmt: skip
 
 

@@ -1,7 +1,7 @@
 """LaTeX formulas as tokens that keep their offsets.
 
-Every character of the input belongs to a token or to declared trivia (spaces, comments, ``\\label``, ``\\nonumber``);
-anything else is a ReadError. Brackets are paired here, so that their errors name both places and nesting is bounded.
+Every character of the input belongs to a token or to declared trivia (spaces, comments, ``\\label``, ``\\nonumber``,
+a relation that is repeated where a line is broken); anything else is a ReadError. Brackets are paired in ``brackets``.
 """
 
 from __future__ import annotations
@@ -10,21 +10,24 @@ import re
 
 from lark import Token
 
+from .brackets import CLOSES, OPENS, Brackets
 from .errors import ReadError, error_at
 
-MAX_CHARACTERS = 20_000  # of one display: the article's longest has 900
+MAX_CHARACTERS = 20_000  # of one display: the article's longest has 1200
 MAX_DIGITS = 20  # of a number; the article needs 3
 MAX_ACCENTS = 4  # on one letter without braces
-MAX_DEPTH = 80  # of nested brackets and braces; the article needs 8
 
 _PATTERN = re.compile(
     r"""
-    (?P<TRIVIA>\s+ | ~ | %[^\n]* | \\[,;:!> ] | \\(?:quad|qquad|nonumber|notag)(?![A-Za-z]) | \\label\s*\{[^{}]*\})
-  | (?P<ENV>\\(?:begin|end)\s*\{(?:split|aligned)\})
+    (?P<TRIVIA>\s+ | ~ | %[^\n]* | \\[,;:!> ] | \\(?:quad|qquad|nonumber|notag|limits)(?![A-Za-z])
+      | \\label\s*\{[^{}]*\})
+  | (?P<ENV>\\(?:begin|end)\s*\{(?:split|aligned|matrix)\})
   | (?P<ALIGN>& | \\\\)
-  | (?P<OPEN>(?:\\(?:left|[bB]igg?l?)(?![A-Za-z])\s*)?(?:\(|\[))
-  | (?P<CLOSE>(?:\\(?:right|[bB]igg?r?)(?![A-Za-z])\s*)?(?:\)|\]))
-  | (?P<COMMAND>\\[A-Za-z]+)
+  | (?P<IF>\\(?:mathrm|text|textrm)\s*\{\s*if\s*\})
+  | (?P<OPEN>(?:\\(?:left|[bB]igg?l?)(?![A-Za-z])\s*)?(?:\(|\[|\\\{) | \\left\s*\.)
+  | (?P<CLOSE>(?:\\(?:right|[bB]igg?r?)(?![A-Za-z])\s*)?(?:\)|\]|\\\}) | \\right\s*\.)
+  | (?P<BAR>(?:\\(?:left|right|[bB]igg?[lr]?)(?![A-Za-z])\s*)?\|)
+  | (?P<COMMAND>\\[A-Za-z]+ | \\\|)
   | (?P<NUMBER>[0-9]+)
   | (?P<LETTER>[A-Za-z])
   | (?P<MARK>[{}_^'+\-=<>/,;.])
@@ -37,14 +40,16 @@ _MARKS = {
     "<": "RELATION", ">": "RELATION", "/": "SLASH", ",": "COMMA", ";": "SEMICOLON", ".": "DOT",
 }  # fmt: skip
 _COMMANDS = {
-    r"\frac": "FRAC", r"\sqrt": "SQRT", r"\cdot": "CDOT", r"\times": "CROSS", r"\pm": "SIGN", r"\mp": "SIGN",
-    r"\prime": "PRIME", r"\to": "RELATION", r"\le": "RELATION", r"\leq": "RELATION", r"\ge": "RELATION",
-    r"\geq": "RELATION", r"\ne": "RELATION", r"\neq": "RELATION",
+    r"\frac": "FRAC", r"\sqrt": "SQRT", r"\cdot": "CDOT", r"\times": "CROSS", r"\otimes": "OUTER", r"\pm": "SIGN",
+    r"\mp": "SIGN", r"\prime": "PRIME", r"\to": "RELATION", r"\le": "RELATION", r"\leq": "RELATION",
+    r"\ge": "RELATION", r"\geq": "RELATION", r"\ne": "RELATION", r"\neq": "RELATION", r"\in": "RELATION",
+    r"\notin": "RELATION", r"\int": "INT", r"\lim": "LIM", r"\max": "MAX", r"\delta": "VARIED", r"\partial": "PARTIAL",
 }  # fmt: skip
-ACCENTS = ("hat", "overline", "bar", "tilde", "boldsymbol", "mathrm", "mathsf", "mathbbm", "mathscr", "mathcal")
+ACCENTS = (
+    "hat", "overline", "bar", "tilde", "boldsymbol", "mathrm", "mathsf", "mathbbm", "mathscr", "mathcal", "mathfrak",
+)  # fmt: skip
 _COMMANDS |= {"\\" + name: "ACCENT" for name in ACCENTS}
-_BRACKETS = {"(": "LPAR", ")": "RPAR", "[": "LBRACKET", "]": "RBRACKET"}
-_CLOSES = {"RPAR": "LPAR", "RBRACKET": "LBRACKET", "RBRACE": "LBRACE"}
+_BRACKETS = {"(": "LPAR", ")": "RPAR", "[": "LBRACKET", "]": "RBRACKET", "{": "LSET", "}": "RSET"}
 _NEEDS_BRACES = ("SUB", "SUP", "FRAC", "SQRT")
 PUNCTUATION = ("COMMA", "SEMICOLON", "DOT")
 
@@ -55,8 +60,8 @@ class Tokeniser:
     def __init__(self, text: str, start: tuple[int, int] = (1, 1)) -> None:
         self.text, self.start = text, start
         self.tokens: list[Token] = []
-        self._open: list[Token] = []
-        self._aligned = 0
+        self._brackets = Brackets(self.error)
+        self._broken = -1  # how many tokens stand before the last line break
 
     def error(self, offset: int, message: str) -> ReadError:
         """A ReadError at an offset of this formula."""
@@ -71,31 +76,40 @@ class Tokeniser:
             match = _PATTERN.match(self.text, offset)
             if match is None:
                 raise self.error(offset, f"unexpected character {self.text[offset]!r}; remove it or write it in LaTeX")
-            self._take(match)
+            self._take(str(match.lastgroup), match.group(), offset)
             offset = match.end()
-        if self._open:
-            raise self.error(self._open[-1].start_pos or 0, f"'{self._open[-1]}' is never closed")
-        if self._aligned:
-            raise self.error(len(self.text), "an alignment is never ended")
+        self._brackets.end(len(self.text))
         return self.tokens
 
-    def _take(self, match: re.Match[str]) -> None:
-        kind, text, offset = str(match.lastgroup), match.group(), match.start()
-        if kind == "TRIVIA":
+    def _take(self, found: str, text: str, offset: int) -> None:
+        before = self.tokens[-1] if self.tokens else None
+        kind = found
+        if found == "TRIVIA":
             return
-        if kind == "ENV":
-            self._aligned += 1 if text.startswith(r"\begin") else -1
-            if self._aligned < 0:
-                raise self.error(offset, f"'{text}' ends nothing")
-            return
-        if kind == "ALIGN":
-            if self._aligned < 1 or self._open:
-                raise self.error(offset, f"'{text}' outside an alignment; matrices and cases are not read")
-            return
-        self._add(_kind(kind, text), text, offset)
+        if found == "ALIGN":
+            kind = self._brackets.align(text, offset)
+            self._broken = len(self.tokens) if text != "&" else self._broken
+        elif found == "ENV":
+            kind = self._brackets.environment(text)
+        elif found == "BAR":
+            evaluates = re.compile(r"\s*_").match(self.text, offset + len(text)) is not None
+            kind = self._brackets.bar(text, before, evaluates)
+        elif found in ("OPEN", "CLOSE"):
+            kind = self._brackets.square(text, before) or _bracket(found, text)
+        elif found == "COMMAND":
+            kind = _COMMANDS.get(text, found)
+        elif found == "MARK":
+            kind = _MARKS[text]
+        repeated = kind == "RELATION" and before == text and self._broken == len(self.tokens)
+        if kind and not repeated:
+            self._add(Token(kind, text, start_pos=offset, end_pos=offset + len(text)))
 
-    def _add(self, kind: str, text: str, offset: int) -> None:
+    def _add(self, token: Token) -> None:
         """One token, if it may stand after those before it."""
+        kind, text, offset = token.type, str(token), token.start_pos or 0
+        if text == r"\rm" and self.tokens and self.tokens[-1].type == "LBRACE":  # {\rm u} is \mathrm{u}
+            self.tokens.insert(-1, token.update(type="ACCENT", value=r"\mathrm"))
+            return
         if kind == "NUMBER" and len(text) > 1 and self.tokens and self.tokens[-1].type in _NEEDS_BRACES:
             raise self.error(offset, f"TeX takes only the first digit of '{text}' here; write {{{text}}}")
         before = self.tokens[-MAX_ACCENTS:]
@@ -103,35 +117,20 @@ class Tokeniser:
             raise self.error(offset, f"more than {MAX_ACCENTS} accents on one letter")
         if kind == "NUMBER" and len(text) > MAX_DIGITS:
             raise self.error(offset, f"a number of {len(text)} digits; the limit is {MAX_DIGITS}")
-        token = Token(kind, text, start_pos=offset, end_pos=offset + len(text))
-        self._pair(token)
-        self.tokens.append(token)
-
-    def _pair(self, token: Token) -> None:
-        """Match brackets; a ``\\left`` needs its ``\\right``."""
-        offset = token.start_pos or 0
-        if token.type in _CLOSES.values():
-            self._open.append(token)
-            if len(self._open) > MAX_DEPTH:
-                raise self.error(offset, f"brackets nest deeper than {MAX_DEPTH}; write the formula in parts")
-        elif token.type in _CLOSES:
-            if not self._open or self._open[-1].type != _CLOSES[token.type]:
-                expected = f"; '{self._open[-1]}' is open" if self._open else ""
-                raise self.error(offset, f"'{token}' closes nothing{expected}")
-            opened = self._open.pop()
-            if opened.startswith(r"\left") != token.startswith(r"\right"):
-                raise self.error(offset, f"'{opened}' and '{token}' do not belong together")
+        self._brackets.pair(token)
+        if kind not in ("SPLIT", "ENDSPLIT"):
+            self.tokens.append(token)
 
 
-def _kind(found: str, text: str) -> str:
-    """The grammar's name for a token of the pattern's."""
-    if found == "COMMAND":
-        return _COMMANDS.get(text, found)
-    if found == "MARK":
-        return _MARKS[text]
-    return _BRACKETS[text[-1]] if found in ("OPEN", "CLOSE") else found
+def _bracket(found: str, text: str) -> str:
+    if text[-1] == ".":
+        return "LNONE" if found == "OPEN" else "RNONE"
+    return _BRACKETS[text[-1]]
 
 
 def tokenise(text: str, start: tuple[int, int] = (1, 1)) -> list[Token]:
     """The tokens of a formula; see Tokeniser."""
     return Tokeniser(text, start).run()
+
+
+__all__ = ["ACCENTS", "CLOSES", "OPENS", "PUNCTUATION", "Tokeniser", "tokenise"]
