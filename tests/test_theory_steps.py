@@ -65,6 +65,7 @@ def test_only_general_facts_do_without_the_energy(claims):
     assert {one.split(".")[0] for one in general} == {
         "frame",
         "kinematics",
+        "constraint",
         "variation",
         "equilibrium",
         "plane",

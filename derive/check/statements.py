@@ -97,6 +97,8 @@ def claims_of(
     note = ""
     for n, operator in enumerate(statement.operators):
         left, right = values[n], values[n + 1]
+        if not reading.reads(statement.sides[n], statement.sides[n + 1]):
+            continue
         if operator == "->":
             limit = limit or limit_of(reading, given)
             variable, point, side = limit
@@ -157,9 +159,12 @@ def _equality(left: Any, right: Any) -> Equal:
     if vector is not None:
         left, right = (zeros(*vector.shape) if side == 0 else side for side in (left, right))
     gap = left - right
-    if vector is not None or not gap.has(pm):
+    if not gap.has(pm):
         return Equal(left, right)
-    return Equal(gap.subs(pm, 1) * gap.subs(pm, -1), 0)
+    upper, lower = gap.subs(pm, 1), gap.subs(pm, -1)
+    if vector is None:
+        return Equal(upper * lower, 0)
+    return Equal(upper.vec() * lower.vec().T, zeros(len(upper), len(lower)))  # one of the two vanishes
 
 
 def limit_of(reading: Components, given: tuple[t.Statement, ...]) -> tuple[Symbol, Any, str]:
