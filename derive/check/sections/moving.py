@@ -16,7 +16,8 @@ from derive.theory.letters import e1, e2, e3, vector_of
 from derive.theory.symbols import s
 
 Rates = Mapping[Derivative, Expr]
-Of, Made = TypeVar("Of"), TypeVar("Made")
+Of = TypeVar("Of")
+Made = TypeVar("Made")
 
 
 def skew(axis: Matrix) -> Matrix:

@@ -20,9 +20,11 @@ from derive.paper import tree as t
 from derive.paper.symbolic import Indices, member, to_sympy
 from derive.theory import frame, loads, placement
 from derive.theory.claims import Domain
+from derive.theory.constraint import FORCE
+from derive.theory.elastic import STIFFNESS
 from derive.theory.letters import EI, GJ, X1, X2, e1, e2, e3, eps, vector_of
 from derive.theory.symbols import s
-from derive.theory.variation import FORCE, STIFFNESS, Balance
+from derive.theory.variation import Balance
 
 BASIS = (e1, e2, e3)
 TURN = vector_of("r")  # of the undistorted frame from the other
