@@ -35,7 +35,8 @@ def resolved(claims: Sequence[Claim]) -> tuple[list[Claim], int | None]:
         relation = signed[0].relation
         gap = relation.lhs - relation.rhs
         either = replace(signed[0], relation=Equal(gap.subs(pm, 1) * gap.subs(pm, -1), 0))
-        return [either if claim is signed[0] else claim for claim in claims], None
+        if not _fails(either):
+            return [either if claim is signed[0] else claim for claim in claims], None
     sign = fitting[0] if fitting else 1
     return [_put(claim, sign) for claim in claims], sign if len(fitting) == 1 else None
 
