@@ -12,12 +12,13 @@ from derive.paper.conventions import scope as conventions_of
 
 # From the likeliest misprint on; edits of a kind stand in printed order.
 KINDS = (
-    "sign", "argument", "prime", "symbol", "number", "relation", "power", "root", "operands", "factor", "term",
+    "sign", "argument", "prime", "bar or index", "symbol", "number", "relation", "power", "root", "operands", "factor", "term",
     "either sign", "missing factor", "missing term",
 )  # fmt: skip
 FACTORS = ("beta", "eta", "gamma", "xi")  # letters that may be missing as factors or terms
 NUMBERS = tuple(map(t.Number, (2, 3, 4)))  # that may be missing as factors
 TWICE = NUMBERS[0]
+EITHER = {r"\pm": r"\mp", r"\mp": r"\pm"}
 
 
 def edits(statement: t.Statement, scope: str) -> list[tuple[str, t.Statement]]:
@@ -69,6 +70,8 @@ def _own(node: t.Node, letters: Scope) -> Iterator[tuple[str, t.Node]]:
             yield "prime", t.Primed(of, order + 1)
         case t.Quotient(above=above, below=below) if above.type == t.SCALAR:
             yield "operands", t.Quotient(below, above)
+        case t.Signed(sign=sign) if sign in EITHER:
+            yield "sign", replace(node, sign=EITHER[sign])
         case t.Cross(left=left, right=right):
             yield "operands", t.Cross(right, left)
     if node.type == t.SCALAR and not isinstance(node, t.Signed | t.Number):
@@ -79,7 +82,8 @@ def _of_name(node: t.Name, letters: Scope) -> Iterator[tuple[str, t.Node]]:
     mine = letters.by_name[node.name]
     for other in letters.by_name.values():
         if other.kind == mine.kind and other.name != mine.name and other.kind != "function":
-            yield "symbol", replace(node, name=other.name)
+            alike = other.name.split("_")[0] == mine.name.split("_")[0]
+            yield "bar or index" if alike else "symbol", replace(node, name=other.name)
     if mine.argument:
         yield from (("argument", t.Call(node.name, (arc,), 0, node.kind)) for arc in _arcs(mine, letters))
         yield "prime", t.Primed(node, 1)
