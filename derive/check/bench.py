@@ -106,7 +106,9 @@ def _places(reading: Components) -> Iterator[Place]:
 
 
 def _fails(place: Place, operator: str, sides: tuple[t.Node, ...], indices: Indices) -> Counterexample | None:
-    """A counterexample to one relation at one point."""
+    """A counterexample to one relation at one point, if it is read there."""
+    if not place.reading.reads(*sides):
+        return None
     if operator == "=":
         orders = [node for side in sides for node in side.walk() if isinstance(node, t.BigO)]
         return _order_fails(place, sides, orders, indices) if orders else _differ(place, sides, indices)

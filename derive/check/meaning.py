@@ -40,13 +40,14 @@ class Components:
 
     What a section does not use has no meaning in it: MeaningError. title: in words. domain: where the formula must
     hold. hypotheses: substitutions that hold there, as in ``Claim.given``. small: the parameter of orders of magnitude.
-    constant: what tends to one of its ends, in limits.
+    within: its power that is dropped, where the text drops one. constant: what tends to one of its ends, in limits.
     """
 
     title: str
     domain: Domain
     hypotheses: tuple[tuple[Expr, Expr], ...] = ()
     small: Symbol | None = None
+    within: int | None = None
     constant: Symbol | None = None
     ends: tuple[Expr, Expr] | None = None
 

@@ -52,7 +52,7 @@ def _claims(theory: Any, scope: str, one: Branch, other: Branch, given: tuple[t.
     for reading in readings(theory, scope, both.sides, given):
         for indices in index_values(both):
             for n, (a, b) in enumerate(zip(left.sides, right.sides, strict=True)):
-                if a != b:
+                if a != b and _read(left, n, reading):
                     power = _order(left, n, reading, indices)
                     if power != _order(right, n, reading, indices):
                         raise _OtherFormError
@@ -60,6 +60,12 @@ def _claims(theory: Any, scope: str, one: Branch, other: Branch, given: tuple[t.
                     tends = left.operators[n : n + 1] == ("->",)
                     relation = _tends(*sides, reading, given) if tends else _same(*sides, power, reading)
                     yield Claim("same", "the same side", relation, reading.domain, reading.hypotheses)
+
+
+def _read(statement: t.Statement, n: int, reading: Components) -> bool:
+    """Is a relation beside a side read in the reading?"""
+    beside = (k for k in (n - 1, n) if 0 <= k < len(statement.operators))
+    return any(reading.reads(*statement.sides[k : k + 2]) for k in beside)
 
 
 def _order(statement: t.Statement, n: int, reading: Components, indices: Indices) -> int | None:
