@@ -20,7 +20,7 @@ from derive.check.verdicts import PROVED
 from derive.paper import tree as t
 from derive.paper.ledger import Record
 from derive.paper.reader import parse
-from derive.report.forms import form_in
+from derive.report.forms import SilentError, form_in
 from derive.report.lines import in_lines
 from derive.report.spell import SpellError
 
@@ -73,6 +73,8 @@ def derived(theory: Any, record: Record, statement: t.Statement, given: tuple[t.
                 return Derived((), "the derived value is too long to be read; both sides were compared in the theory")
             must_hold(latex, one, record)
             found.setdefault(latex, []).append(one.title)
+    except SilentError as reason:
+        return Derived((), str(reason))
     except (SpellError, MeaningError) as reason:
         return Derived((), f"no closed form in the letters of the section: {reason}")
     if not found or len(found) > FORMS:

@@ -37,14 +37,13 @@ class Speller:
     """Writes expressions as trees.
 
     known: what has a letter. allowed: names of functions that the section has. signs: symbols of square one and the
-    printed sign of each. same: does a shortened call (℘ without its invariants) still have the value? moving:
-    would a name take a bracket after it as its argument? powers: the letter by whose powers sums are ordered, if there is one.
+    printed sign of each. moving: would a name take a bracket after it as its argument? powers: the letter by whose
+    powers sums are ordered, if there is one.
     """
 
     known: Known
     allowed: Collection[str] = ()
     signs: Mapping[Any, str] = field(default_factory=dict)
-    same: Callable[[t.Node, Any], bool] = no
     moving: Callable[[str], bool] = no
     powers: sp.Symbol | None = None
 
@@ -108,13 +107,10 @@ class Speller:
         return t.Power(self.of(base), self.of(exponent))
 
     def call(self, expr: Any) -> t.Node:
-        """A function at its arguments; invariants of ℘ are left out where they are understood."""
+        """A function at its arguments."""
         name, primes = FUNCTIONS.get(expr.func, ("", 0))
         if name not in self.allowed:
             raise SpellError(f"there is no letter for the function {expr.func.__name__}")
-        short = t.Call(name, (self.of(expr.args[0]),), primes)
-        if len(expr.args) == 1 or self.same(short, expr):
-            return short
         return t.Call(name, tuple(self.of(arg) for arg in expr.args), primes)
 
 
