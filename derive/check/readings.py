@@ -42,6 +42,8 @@ def readings(
     if scope in BY_SCOPE:
         yield from BY_SCOPE[scope](theory, sides, given)
         return
+    if scope not in ("plane", *SECTIONS):
+        raise m.MeaningError(f"nothing says what the letters of the section '{scope}' mean in the theory")
     names = names_in(*sides, *(side for statement in given for side in statement.sides))
     if scope == "plane" and not names & {"f", "f_hat"}:
         yield from _any_field(theory)

@@ -13,7 +13,7 @@ from lark import Token
 
 from .errors import ReadError
 
-MAX_DEPTH = 80  # of nested brackets and braces; the article needs 8
+MAX_DEPTH = 40  # of nested brackets and braces; the article needs 8
 
 CLOSES = {
     "RPAR": ("LPAR",), "RBRACKET": ("LBRACKET",), "RBRACE": ("LBRACE",), "RSET": ("LSET", "LNONE"),
@@ -23,7 +23,7 @@ OPENS = ("LPAR", "LBRACKET", "LBRACE", "LSET", "LNONE", "LBAR", "MATRIX", "SPLIT
 _ENDS_OPERAND = (
     "RPAR", "RBRACKET", "RBRACE", "RSET", "RBAR", "NUMBER", "LETTER", "COMMAND", "TICK", "PRIME",
 )  # fmt: skip
-_BEFORE_INTERVAL = (r"\in", r"\notin", r"\times")
+_BEFORE_INTERVAL = (r"\in", r"\notin", r"\times", "{")
 
 
 @dataclass

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from importlib.resources import files
@@ -16,7 +16,7 @@ from .syntax import syntax_tree
 from .tokens import Tokeniser
 from .tree import SCALAR
 
-_FILES = ("conventions.toml", "conventions_rod.toml", "conventions_plane.toml")
+_FILES = ("conventions.toml", "conventions_rod.toml", "conventions_plane.toml", "conventions_elliptic.toml")
 _ALLOWED = {
     "latex", "also", "name", "meaning", "kind", "argument", "alternatives", "sort", "arity", "prefix", "assume",
     "scopes", "index", "dimension", "introduced",
@@ -66,6 +66,7 @@ class Scope:
     by_spelling: Mapping[str, Declared]
     by_name: Mapping[str, Declared]
     by_letter: Mapping[tuple[str, str], Declared]
+    types: Mapping[str, str]  # of the symbols of a sort
 
     def declared(self, name: str, index: str = "") -> Declared:
         """The symbol of a Name or a Call; KeyError if there is none."""
@@ -137,7 +138,19 @@ def scope(name: str) -> Scope:
                 raise ValueError(f"conventions: the name '{record.name}' is declared twice in scope '{name}'")
             else:
                 by_name[record.name] = record
-    return Scope(name, by_spelling, by_name, by_letter)
+    return Scope(name, by_spelling, by_name, by_letter, _types_of_sorts(name, by_spelling.values()))
+
+
+def _types_of_sorts(name: str, records: Iterable[Declared]) -> dict[str, str]:
+    types: dict[str, str] = {}
+    records = list(records)
+    for record in records:
+        if record.sort and types.setdefault(record.sort, record.type) != record.type:
+            raise ValueError(f"conventions: the sort '{record.sort}' has two types in scope '{name}'")
+    for record in records:
+        for word in " ".join((record.argument, *record.alternatives)).split():
+            types.setdefault(word, SCALAR)
+    return types
 
 
 def _scopes(data: dict[str, Any]) -> list[str]:

@@ -68,12 +68,17 @@ def _split(rest: Sequence[Syntax], span: t.Span, resolver: Resolver) -> tuple[li
     while place < len(rest):
         if not differential(rest[place:], resolver):
             raise resolver.error(start(rest[place]), "where does the integral end? write brackets around it")
-        by = read_factor(rest[place + 1], resolver).node(resolver)
-        if by.type != t.SCALAR:
-            raise resolver.error(by.span[0], "an integral is taken by scalars")
-        found.append(by)
+        found.append(_variable(rest[place + 1], resolver))
         place += 2
     return list(rest[:first]), found
+
+
+def _variable(item: Syntax, resolver: Resolver) -> t.Node:
+    """What is integrated by: a scalar."""
+    by = t.Number(0) if isinstance(item, Token) else read_factor(item, resolver).node(resolver)
+    if isinstance(item, Token) or by.type != t.SCALAR:
+        raise resolver.error(start(item), "an integral is taken by a scalar after d")
+    return by
 
 
 def _fraction_split(rest: Sequence[Syntax], span: t.Span, resolver: Resolver) -> tuple[list[Syntax], list[t.Node]]:
@@ -85,7 +90,7 @@ def _fraction_split(rest: Sequence[Syntax], span: t.Span, resolver: Resolver) ->
     first = next((n for n in range(len(row)) if differential(row[n:], resolver) == "d"), None)
     if first is None or first + 2 != len(row) or differential(fraction_row(fraction.children[2]), resolver):
         raise resolver.error(span[0], "an integral needs a differential, as in \\int x \\, d x")
-    by = read_factor(row[first + 1], resolver).node(resolver)
+    by = _variable(row[first + 1], resolver)
     above: Any = Tree("chain", row[:first], fraction.children[1].meta)
     one = Token("NUMBER", "1", start_pos=row[0].meta.start_pos, end_pos=row[0].meta.start_pos)
     if first == 0:
@@ -107,6 +112,8 @@ def _integrated(
     else:
         of = t.Number(1, span=span)
     region, lower, upper = scripts
+    if of.type not in (t.SCALAR, t.VECTOR, t.TENSOR):
+        raise resolver.error(of.span[0], f"a {of.type} is not integrated")
     wanted = 1 if region is None else _dimension(region, resolver)
     own: list[t.Node] = []
     while by and wanted > 0:

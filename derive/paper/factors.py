@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from lark import Token, Tree
@@ -31,7 +31,7 @@ class Factor:
     declared: Declared | None = None
     core: t.Node | None = None
     arguments: tuple[t.Node, ...] | None = None
-    scripts: Scripts = Scripts()
+    scripts: Scripts = field(default_factory=Scripts)
 
     def node(self, resolver: Resolver) -> t.Node:
         """The factor by itself; ReadError for primes on a constant, a list, a power of a vector but 2."""
@@ -56,7 +56,8 @@ class Factor:
                 raise resolver.error(argument.span[0], f"the argument of {declared.latex} must be a scalar")
         power = self.scripts.power
         if bracket.scripts.primes or self.scripts.at or (power is not None and bracket.scripts.power is not None):
-            raise resolver.error(bracket.span[0], "primes or a second power after the argument; write brackets")
+            message = "primes, values or a second power between a symbol and its argument or after it; write brackets"
+            raise resolver.error(bracket.span[0], message)
         if declared.kind == "order":
             if self.scripts.primes or len(bracket.arguments or ()) != 1:
                 raise resolver.error(self.span[0], f"{declared.latex} takes one argument and no primes")
@@ -81,7 +82,8 @@ def read_factor(tree: Syntax, resolver: Resolver) -> Factor:
     span = (tree.meta.start_pos, tree.meta.end_pos)
     if isinstance(base, Token | Tree) and _is_symbol(base):
         return _symbol(tree, resolver)
-    square = isinstance(base, Tree) and base.data == "group" and base.children[0].type == "LBRACKET"
+    first: Any = base.children[0] if isinstance(base, Tree) else None
+    square = isinstance(base, Tree) and base.data == "group" and first.type == "LBRACKET"
     scripts = read_scripts(written, square, resolver)
     if isinstance(base, Token):
         if base.type != "NUMBER":

@@ -42,14 +42,6 @@ def plain(node: t.Node) -> t.Node:
     return node.with_parts(tuple(plain(part) for part in parts)) if parts else node
 
 
-def free(node: t.Node) -> set[str]:
-    """The indices that are written in a node and not summed over."""
-    if isinstance(node, t.Contraction):
-        return free(node.of) - {node.index}
-    own = {node.index} - {""} if isinstance(node, t.Name | t.Call) else set()
-    return own.union(*(free(part) for part in node.parts()))
-
-
 def overfull(nodes: Iterable[t.Node]) -> list[tuple[str, t.Span]]:
     """The indices that are summed although they are written more than twice, with the products where they are."""
     return [
@@ -62,7 +54,7 @@ def one_set_of_free(nodes: Sequence[t.Node], complain: Complain) -> None:
     """ReadError if terms, or sides, have different free indices; 0 and O(…) fit all."""
     judged = [node for node in nodes if not _fits_all(node)]
     for node in judged[1:]:
-        if odd := free(node) ^ free(judged[0]):
+        if odd := node.free_indices() ^ judged[0].free_indices():
             message = (
                 f"the index {', '.join(sorted(odd))} is free here but not in the term or side before, or there only"
             )

@@ -12,7 +12,6 @@ from .brackets import CLOSES, OPENS
 from .conventions import LETTERS
 from .conventions import scope as conventions_of
 from .errors import ReadError
-from .indices import free
 from .resolve import Resolver
 from .syntax import syntax_tree
 from .tokens import PUNCTUATION, Tokeniser
@@ -38,13 +37,13 @@ def parse(latex: str, scope: str, start: tuple[int, int] = (1, 1)) -> list[State
     parts = list(_parts(tokens, source))
     while parts:
         part = parts.pop(0)
-        said = _index_range(part, parts, statements)
+        said = _index_range(part, parts, statements, source)
         if said is None:
             statement = resolver.statement(syntax_tree(part, source.error))
-            said = statement if statements and _is_qualifier(statement, resolver) else None
-            if said is None:
+            if not _is_qualifier(statement, statements, resolver):
                 statements.append(statement)
                 continue
+            said = statement
         statements[-1] = replace(statements[-1], where=(*statements[-1].where, said))
     return statements
 
@@ -65,28 +64,34 @@ def _parts(tokens: list[Token], source: Tokeniser) -> Iterator[list[Token]]:
         yield part
 
 
-def _index_range(part: list[Token], rest: list[list[Token]], before: list[Statement]) -> Statement | None:
+def _index_range(
+    part: list[Token], rest: list[list[Token]], before: list[Statement], source: Tokeniser
+) -> Statement | None:
     """``i = 1, 2, 3`` after a statement where i is free; the parts after it that belong to it are taken from rest."""
     if len(part) != 3 or not before or part[0] not in LETTERS or part[1] != "=" or part[2].type != "NUMBER":
         return None
     letter = LETTERS[part[0]]
-    if not any(letter in free(side) for side in before[-1].sides):
+    if not any(letter in side.free_indices() for side in before[-1].sides):
         return None
     numbers = [part[2]]
     while rest and len(rest[0]) == 1 and rest[0][0].type == "NUMBER":
         numbers += rest.pop(0)
+    if [int(number) for number in numbers] != list(t.values_of(letter)):
+        said = ", ".join(map(str, t.values_of(letter)))
+        raise source.error(part[2].start_pos or 0, f"the index {part[0]} takes the values {said}")
     values = tuple(t.Number(int(number), span=_span(number, number)) for number in numbers)
     name = t.Name(letter, t.INDEX, span=_span(part[0], part[0]))
     listing = t.Listing(values, span=_span(numbers[0], numbers[-1]))
     return Statement((name, listing), ("in",), span=_span(part[0], numbers[-1]))
 
 
-def _is_qualifier(statement: Statement, resolver: Resolver) -> bool:
-    """Is this membership said of the variable of the statement before it, as in s ∈ (0, ℓ)?"""
-    first = statement.sides[0]
-    if statement.operators != ("in",) or not isinstance(first, t.Name):
+def _is_qualifier(said: Statement, before: list[Statement], resolver: Resolver) -> bool:
+    """Is this membership said of an arc length in the statement before it, as in s ∈ (0, ℓ)?"""
+    first = said.sides[0]
+    if said.operators != ("in",) or not isinstance(first, t.Name) or not before:
         return False
-    return resolver.scope.declared(first.name, first.index).sort == "arc"
+    written = (node for side in before[-1].sides for node in side.walk())
+    return resolver.scope.declared(first.name, first.index).sort == "arc" and first in written
 
 
 def _span(first: Token, last: Token) -> t.Span:

@@ -26,6 +26,7 @@ RELATIONS = {
     r"\ne": "!=", r"\neq": "!=", r"\in": "in", r"\notin": "notin",
 }  # fmt: skip
 MEMBERSHIP = ("in", "notin")
+MAX_COMPOSED = 40  # tensors applied or composed in one display; the article needs 10
 Syntax = Any  # Tree[Token] | Token: lark's children are one or the other
 
 
@@ -34,6 +35,13 @@ class Resolver:
 
     def __init__(self, scope: Scope, error: Complain) -> None:
         self.scope, self.error = scope, error
+        self._counted = 0
+
+    def count(self, node: t.Node) -> None:
+        """Count what makes trees deeper without brackets."""
+        self._counted += 1
+        if self._counted > MAX_COMPOSED:
+            raise self.error(node.span[0], f"more than {MAX_COMPOSED} tensors are applied in one display; split it")
 
     def statement(self, tree: Tree[Token]) -> t.Statement:
         """A chain of relations whose sides have one type (0 fits any)."""
@@ -47,13 +55,17 @@ class Resolver:
     def _chain(self, children: Sequence[Syntax]) -> tuple[list[t.Node], list[str]]:
         sides = [self.sum(part) for part in children if isinstance(part, Tree)]
         operators = [RELATIONS[part] for part in children if isinstance(part, Token)]
-        for operator, other in zip(operators, sides[1:], strict=True):
-            if (operator in MEMBERSHIP) != (other.type == t.REGION):
-                raise self.error(other.span[0], f"a {other.type} cannot stand here; regions stand after \\in")
-        quantities = [side for side in sides if side.type != t.REGION]
-        if sides and sides[0].type == t.REGION:
-            raise self.error(sides[0].span[0], "a region cannot stand on a left side")
-        return self._fitted(quantities) + [side for side in sides if side.type == t.REGION], operators
+        *quantities, last = sides
+        member = bool(operators) and operators[-1] in MEMBERSHIP
+        quantities, regions = (quantities, [last]) if member else (sides, [])
+        for side in sides:
+            if (side.type == t.REGION) != any(side is region for region in regions):
+                raise self.error(
+                    side.span[0], f"a {side.type} cannot stand here; a region stands at the end, after \\in"
+                )
+        if any(operator in MEMBERSHIP for operator in operators[:-1]):
+            raise self.error(last.span[0], "nothing follows the region after \\in")
+        return self._fitted(quantities) + regions, operators
 
     def sum(self, tree: Syntax) -> t.Node:
         """Signed terms of one type."""
@@ -64,6 +76,8 @@ class Resolver:
                 sign = child
                 continue
             term = read_row(child.children, self)
+            if term.type in (t.REGION, t.LIST) and (sign is not None or len(tree.children) > 1):
+                raise self.error(term.span[0], f"a {term.type} is no term of a sum")
             if sign is not None and not (sign == "+" and terms):
                 term = t.Signed(str(sign), term, span=(sign.start_pos or 0, term.span[1]))
             terms.append(term)

@@ -18,7 +18,7 @@ INVERSE = t.Signed("-", t.Number(1))
 
 @dataclass(frozen=True)
 class Scripts:
-    """primes; power; transposed; subscript (``lower`` only for brackets); at: lower value; upto: upper value."""
+    """primes, a power, the sign of the transpose; named: an index or a label; at and upto: lower and upper values."""
 
     primes: int = 0
     power: t.Node | None = None
@@ -26,7 +26,11 @@ class Scripts:
     named: bool = False
     at: Place | None = None
     upto: Place | None = None
-    last: int = 0
+
+    @property
+    def plain(self) -> bool:
+        """Is nothing written there?"""
+        return self == Scripts()
 
     def around(self, node: t.Node, span: t.Span, resolver: Resolver) -> t.Node:
         """The node with all of them but the primes, from the inside out."""
@@ -63,7 +67,7 @@ def _raised(node: t.Node, power: t.Node, span: t.Span, resolver: Resolver) -> t.
 
 def read_scripts(scripts: list[Syntax], square: bool, resolver: Resolver) -> Scripts:
     """The scripts of a factor. square: it is a square bracket, whose indices are bounds."""
-    primes, last, named, transposed = 0, 0, False, False
+    primes, named, transposed = 0, False, False
     power: t.Node | None = None
     at: Place | None = None
     upto: Place | None = None
@@ -78,13 +82,15 @@ def read_scripts(scripts: list[Syntax], square: bool, resolver: Resolver) -> Scr
             primes += len(script.children)
         elif kind == "at":
             at = _equation(script, resolver)
+        elif kind in ("upto", "superscript") and upto is not None:
+            raise resolver.error(place, "two upper bounds on one bracket")
         elif kind == "upto":
             upto = _equation(script, resolver)
         elif kind == "subscript" and square:
             at = (None, resolver.argument(script.children[0]))
         elif kind == "superscript" and bounds:
             upto = (None, resolver.argument(script.children[0]))
-        elif kind == "superscript" and is_transpose(script.children[0], resolver.error):
+        elif kind == "superscript" and not (power or transposed) and is_transpose(script.children[0], resolver.error):
             transposed = True
         elif kind == "subscript" or is_label(script.children[0]):
             named = True
@@ -92,8 +98,7 @@ def read_scripts(scripts: list[Syntax], square: bool, resolver: Resolver) -> Scr
             raise resolver.error(place, "two powers on one symbol; write brackets")
         else:
             power = resolver.argument(script.children[0])
-        last = script.meta.end_pos
-    return Scripts(primes, power, transposed, named, at, upto, last)
+    return Scripts(primes, power, transposed, named, at, upto)
 
 
 def _equation(script: Syntax, resolver: Resolver) -> Place:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from typing import Any
 
 from lark import Token, Tree
 
@@ -36,22 +37,37 @@ def spelling(tree: Tree[Token] | Token, error: Complain, powers: bool = False) -
 
     powers: take every superscript for a part of the name, as in the inverse of a function or an upper index.
     """
+    if isinstance(tree, Tree) and tree.data == "factor":
+        base, *scripts = tree.children
+        lower, upper = _scripts(scripts, error, powers)
+        return "".join([_inside(base, error), *lower, *upper])
+    return _inside(tree, error)
+
+
+def _inside(tree: Any, error: Complain) -> str:
+    """The spelling of what a name is made of: there nothing is left out."""
     if isinstance(tree, Token):
         return str(tree)
     if tree.data == "accent":
-        return f"{tree.children[0]}{{{spelling(tree.children[1], error)}}}"
+        return f"{tree.children[0]}{{{_inside(tree.children[1], error)}}}"
     if tree.data == "factor":
         base, *scripts = tree.children
-        scripted = [script for script in scripts if isinstance(script, Tree)]
-        lower = [_script(part, error) for part in scripted if part.data == "subscript"]
-        upper = [_script(part, error) for part in scripted if part.data == "superscript"
-                 if powers or (is_label(part.children[0]) and not is_transpose(part.children[0], error))]  # fmt: skip
-        return "".join([spelling(base, error, powers), *lower, *upper])
+        if odd := [script for script in scripts if script.data not in ("subscript", "superscript")]:
+            raise error(odd[0].meta.start_pos, "primes and values are no part of a name; write them outside the braces")
+        lower, upper = _scripts(scripts, error, True)
+        return "".join([_inside(base, error), *lower, *upper])
     if tree.data in ("arg", "sum", "chain", "braces"):
-        return "".join(spelling(part, error, powers) for part in tree.children)
+        return "".join(_inside(part, error) for part in tree.children)
     raise error(tree.meta.start_pos, "this cannot be part of a symbol's name")
 
 
-def _script(part: Tree[Token], error: Complain) -> str:
-    mark = "_" if part.data == "subscript" else "^"
-    return f"{mark}{{{spelling(part.children[0], error)}}}"
+def _scripts(scripts: Sequence[Any], error: Complain, powers: bool) -> tuple[list[str], list[str]]:
+    """The subscripts, and the superscripts that belong to the name."""
+    lower, upper = [], []
+    for part in scripts:
+        if part.data == "subscript":
+            lower.append(f"_{{{_inside(part.children[0], error)}}}")
+        elif part.data == "superscript" and (powers or is_label(part.children[0])):
+            spelled = _inside(part.children[0], error)
+            upper += [f"^{{{spelled}}}"] if powers or spelled != _TRANSPOSE else []
+    return lower, upper

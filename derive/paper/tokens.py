@@ -15,6 +15,7 @@ from .errors import ReadError, error_at
 
 MAX_CHARACTERS = 20_000  # of one display: the article's longest has 1200
 MAX_DIGITS = 20  # of a number; the article needs 3
+MAX_PREFIXES = 40  # integral signs, limits and variations in one display; the article needs 7
 MAX_ACCENTS = 4  # on one letter without braces
 
 _PATTERN = re.compile(
@@ -61,6 +62,7 @@ class Tokeniser:
         self.text, self.start = text, start
         self.tokens: list[Token] = []
         self._brackets = Brackets(self.error)
+        self._prefixes = 0
         self._broken = -1  # how many tokens stand before the last line break
 
     def error(self, offset: int, message: str) -> ReadError:
@@ -117,6 +119,12 @@ class Tokeniser:
             raise self.error(offset, f"more than {MAX_ACCENTS} accents on one letter")
         if kind == "NUMBER" and len(text) > MAX_DIGITS:
             raise self.error(offset, f"a number of {len(text)} digits; the limit is {MAX_DIGITS}")
+        if kind in ("INT", "LIM", "VARIED"):
+            self._prefixes += 1
+            if self._prefixes > MAX_PREFIXES:
+                raise self.error(
+                    offset, f"more than {MAX_PREFIXES} integrals, limits and variations; split the formula"
+                )
         self._brackets.pair(token)
         if kind not in ("SPLIT", "ENDSPLIT"):
             self.tokens.append(token)

@@ -171,7 +171,7 @@ class Product(Node):
     @property
     def type(self) -> str:
         """That of the factor that is no scalar."""
-        return next((factor.type for factor in self.factors if factor.type != SCALAR), SCALAR)
+        return next((kind for factor in self.factors if (kind := factor.type) != SCALAR), SCALAR)
 
 
 @dataclass(frozen=True)
