@@ -1,13 +1,15 @@
 """Printed statements as claims for ``judge``, in each of their readings.
 
-How a chain of relations is read:
+Relations are read as ``relations`` says, ± as ``either`` does: one sign for the whole statement. Further:
 
-- ``A = B``: an equality of the theory's expressions; with ±, that one of the two signs holds.
-- ``A = B + O(εⁿ)``: the difference of the two is of that order.
-- ``A < B``, ``A > B``: a sign, everywhere in the domain.
 - ``A → B``: a limit, for the limit that the text assumes (its hypothesis ``γ → γ_1``). The target of an arrow does
   not vary, so whatever stands right of an arrow is taken *at* the limit: ``ξ_b → ξ_b = 1 + 2β/η`` says that ξ_b tends
   to its value at the limit, and that this value is 1 + 2β/η. The verdict's reason says where this was needed.
+- Cases: each is judged where its condition holds; where none of them holds, the statement is refuted.
+
+A formula that holds along every rod, but with a sign or a branch that is not printed, is PROVED, and the condition
+that was found is in the verdict's reason: ± that changes its sense along a rod, a logarithm whose principal value
+jumps. What the printed signs cannot mend, at any point of any rod, is REFUTED there.
 
 An equality that holds is a DEFINITION if it introduces a conventional name: the name alone on its first side, under
 no hypothesis. Everything else that is proved is PROVED. Nothing is looked up: verdicts are computed.
@@ -16,20 +18,21 @@ no hypothesis. Everything else that is proved is PROVED. Nothing is looked up: v
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
-from sympy import MatrixBase, Symbol, nan, oo, zeros, zoo
+from sympy import Symbol, nan, oo, zoo
 
+from derive.check import either, relations
 from derive.check.branches import Branch, branches, index_values
-from derive.check.meaning import Components, MeaningError, pm
+from derive.check.meaning import Components, MeaningError
 from derive.check.readings import readings
 from derive.check.report import RelationVerdict, StatementVerdict, statement_verdict
 from derive.check.verdicts import DEFINITION, PROVED, UNKNOWN, Verdict
 from derive.paper import tree as t
 from derive.paper.ledger import Record
 from derive.paper.symbolic import NONE, Indices
-from derive.theory.claims import Claim, Domain, Equal, Limit, Order, Positive
+from derive.theory.claims import Claim, Domain, Limit
 
 CONVENTIONAL = {"xi", "b", "c", "varkappa"}  # names that the article chooses; the others are derived in the theory
 Judge = Callable[[Claim], Verdict]
@@ -92,74 +95,57 @@ def claims_of(
 
     Of each: what it says, the claim, and how it had to be read.
     """
-    values = [_finite(reading.of(side, indices)) for side in statement.sides]
+    found = list(_unsigned(statement, reading, given, stem, indices))
+    claims, sign = either.resolved([claim for _, claim, _ in found])
+    for (title, _, note), claim, before in zip(found, claims, (claim for _, claim, _ in found), strict=True):
+        if sign and claim is not before:
+            note = "; ".join(part for part in (note, reading.sign_note(either.NAMES[sign], title)) if part)
+        yield title, claim, note
+
+
+def _unsigned(
+    statement: t.Statement, reading: Components, given: tuple[t.Statement, ...], stem: str, indices: Indices
+) -> Iterator[tuple[str, Claim, str]]:
+    """The same with ± as it is printed."""
+    values = [_value(side, reading, indices) for side in statement.sides]
     limit: tuple[Symbol, Any, str] | None = None
     note = ""
     for n, operator in enumerate(statement.operators):
-        left, right = values[n], values[n + 1]
+        left, right, sides = values[n], values[n + 1], statement.sides[n : n + 2]
+        if not reading.reads(*sides):
+            continue
+        domain = reading.domain if limit is None else _without(reading.domain, limit[0])
         if operator == "->":
             limit = limit or _limit(reading, given)
             variable, point, side = limit
             at_limit = _at(right, limit)
             if at_limit != right:
                 note = f"right of the arrow, what depends on {variable} is taken at the limit {variable} = {point}"
-            relation: Any = Limit(left, variable, point, at_limit, side)
+            said: Iterable[relations.Said] = [("", Limit(left, variable, point, at_limit, side))]
             domain = reading.domain
             values[n + 1 :] = [_at(value, limit) for value in values[n + 1 :]]
-        elif operator == "=" and (orders := _orders(statement.sides[n : n + 2], reading, indices)):
-            relation, domain = _order(left, right, reading, min(orders), statement.sides[n + 1]), reading.domain
+        elif operator == "=" and (orders := relations.orders(sides, reading, indices)):
+            said, domain = [("", relations.order(left, right, reading, min(orders), sides[1]))], reading.domain
+        elif isinstance(sides[1], t.Interval):
+            said = relations.membership(operator, left, right, sides[1], reading)
         else:
-            relation = _relation(operator, left, right)
-            domain = reading.domain if limit is None else _without(reading.domain, limit[0])
-        yield (
-            f"{n + 1}: {operator}",
-            Claim(f"{stem}.{n + 1}", "as printed", relation, domain, reading.hypotheses, source=stem),
-            note,
-        )
+            said = relations.said(operator, left, right, reading)
+        for part, relation in said:
+            claim = Claim(f"{stem}.{n + 1}", "as printed", relation, domain, reading.hypotheses, source=stem)
+            yield ", ".join(filter(None, (f"{n + 1}: {operator}", part))), claim, note
+
+
+def _value(side: t.Node, reading: Components, indices: Indices) -> Any:
+    """The value of a side; of an interval, the values of its ends."""
+    if isinstance(side, t.Interval):
+        return tuple(_finite(reading.of(end, indices)) for end in side.parts())
+    return _finite(reading.of(side, indices))
 
 
 def _finite(value: Any) -> Any:
     if value.has(oo, -oo, zoo, nan):
         raise MeaningError("a side is infinite or undefined, say by a division by 0")
     return value
-
-
-def _relation(operator: str, left: Any, right: Any) -> Equal | Positive:
-    if operator == "=":
-        return _equality(left, right)
-    if operator in "<>":
-        return Positive(right - left if operator == "<" else left - right)
-    raise MeaningError(f"the relation '{operator}' is not judged yet")
-
-
-def _orders(sides: tuple[t.Node, ...], reading: Components, indices: Indices) -> list[int]:
-    """The powers of the small parameter in the O(εⁿ) of two sides."""
-    found = [node for side in sides for node in side.walk() if isinstance(node, t.BigO)]
-    if found and reading.small is None:
-        raise MeaningError(f"O(…) has no meaning where the formula is read ({reading.title})")
-    powers = [reading.of(node.of, indices).as_base_exp() for node in found]
-    if any(base != reading.small or not exponent.is_Integer for base, exponent in powers):
-        raise MeaningError(f"an O(…) must hold a power of {reading.small}")
-    return [int(exponent) for _, exponent in powers]
-
-
-def _order(left: Any, right: Any, reading: Components, power: int, side: t.Node) -> Order:
-    """left − right = O(εⁿ). A quantity that is only said to be small is squared first, so that roots go."""
-    assert reading.small is not None
-    if isinstance(side, t.BigO) and not isinstance(left, MatrixBase):
-        return Order(left**2, reading.small, 2 * power)
-    return Order(left - right, reading.small, power)
-
-
-def _equality(left: Any, right: Any) -> Equal:
-    """left = right; with ± on one side or both, that one choice of the sign gives equality."""
-    vector = next((side for side in (left, right) if isinstance(side, MatrixBase)), None)
-    if vector is not None:
-        left, right = (zeros(*vector.shape) if side == 0 else side for side in (left, right))
-    gap = left - right
-    if vector is not None or not gap.has(pm):
-        return Equal(left, right)
-    return Equal(gap.subs(pm, 1) * gap.subs(pm, -1), 0)
 
 
 def _limit(reading: Components, given: tuple[t.Statement, ...]) -> tuple[Symbol, Any, str]:

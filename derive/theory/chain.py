@@ -6,15 +6,16 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from . import equilibrium, plane, quartic, shape, tip, weierstrass
+from . import equilibrium, oblique, plane, quartic, shape, tip, weierstrass
 from .claims import Formula, Notebook
 from .load_case import LoadCase
+from .oblique import Oblique
 from .plane import Plane
 from .shape import Shape
 from .tip import Tip
 from .weierstrass import Weierstrass
 
-STEPS = ("plane", "quartic", "weierstrass", "shape", "tip")
+STEPS = ("plane", "quartic", "weierstrass", "shape", "tip", "oblique")
 
 
 @dataclass(frozen=True)
@@ -27,6 +28,7 @@ class Theory:
     weierstrass: Mapping[str, Weierstrass]
     shapes: Mapping[str, Shape]
     tips: Mapping[str, Tip]
+    oblique: Oblique
     formulas: tuple[Formula, ...]
     book: Notebook = field(repr=False)
 
@@ -53,8 +55,11 @@ def derive_section3(section2: Any, book: Notebook, last: str = STEPS[-1]) -> Any
     if last == "shape":
         return shapes
     tips = tip.derive(cases, functions, book)
+    if last == "tip":
+        return tips
+    any_angle = oblique.derive(plane_problem, cases, functions, book)
     formulas = tuple(formula for one in tips.values() for formula in one.formulas)
-    return Theory(section2, plane_problem, cases, functions, shapes, tips, formulas, book)
+    return Theory(section2, plane_problem, cases, functions, shapes, tips, any_angle, formulas, book)
 
 
 def print_up_to(last: str, energy: Any = None) -> None:

@@ -13,9 +13,9 @@ from sympy import Expr, Matrix, Symbol
 from derive.theory import line_energy
 from derive.theory.claims import Equal, Notebook, Order
 from derive.theory.energy import Energy
-from derive.theory.kinematics import POINT
 from derive.theory.letters import A, angle, e1, e2, e3, eps, field, first_order, gradient, rotation, unit, vector, w
 from derive.theory.line_energy import FIELD, LineEnergy, over_section
+from derive.theory.placement import POINT
 
 TANGENT = vector("d_3")  # d₃ where it is varied, in the frame d before the variation
 

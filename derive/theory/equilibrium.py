@@ -12,13 +12,14 @@ from dataclasses import dataclass
 
 from sympy import Expr, Function, Matrix, Rational, Symbol
 
-from derive.theory import variation
+from derive.theory import loads
 from derive.theory.claims import Equal, Notebook
+from derive.theory.constraint import FORCE
 from derive.theory.energy import Energy
 from derive.theory.frame import along, frenet, triple
 from derive.theory.letters import EI, GJ, e3, eta_tilde, tau, tau_tilde, unit, vector, w
 from derive.theory.symbols import eta, s
-from derive.theory.variation import DIRECTION, FORCE, Balance, euler
+from derive.theory.variation import DIRECTION, Balance, euler
 
 
 @dataclass(frozen=True)
@@ -191,7 +192,7 @@ def claim_planar(state: Equilibrium, book: Notebook) -> None:
 def derive_section2(energy: Energy | None = None, book: Notebook | None = None) -> Equilibrium:
     """All of Section 2, from an energy (paramagnetic particles if none is given) to the equation of equilibrium."""
     book = Notebook() if book is None else book
-    return derive(variation.chain(book, energy), book)
+    return derive(loads.chain(book, energy), book)
 
 
 def main() -> None:

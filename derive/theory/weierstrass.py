@@ -13,6 +13,7 @@ from sympy import Expr, Integer, Matrix, Poly, Rational, Symbol, cancel, diff, e
 from .claims import Domain, Equal, Limit, Notebook
 from .functions import wp, wp_prime
 from .load_case import COSINES, LoadCase, xi_tip
+from .perimeter import claim_sides
 from .quartic_range import kinds
 from .symbols import u, xi
 from .uo_cases import UoCase, uo_cases
@@ -59,19 +60,20 @@ def derive(cases: Mapping[str, LoadCase], book: Notebook) -> Mapping[str, Weiers
     book.say("Section 3. The substitution that leads to the Weierstrass function")
     _claim_derivatives(book)
     _claim_substitution(book)
+    claim_sides(book)
     return {name: _case(case, book) for name, case in cases.items()}
 
 
-def expansion(f: Expr, a: Expr) -> Expansion:
-    """b = f′(a)/4 and c = f″(a)/24 (exsl17)."""
-    b, c = diff(f, xi).subs(xi, a) / 4, diff(f, xi, 2).subs(xi, a) / 24
+def expansion(f: Expr, a: Expr, x: Symbol = xi) -> Expansion:
+    """b = f′(a)/4 and c = f″(a)/24 at a root a of f(x) (exsl17)."""
+    b, c = diff(f, x).subs(x, a) / 4, diff(f, x, 2).subs(x, a) / 24
     return Expansion(a, expand(b), expand(c))
 
 
-def resolvent(f: Expr, at: Expansion) -> Expr:
-    """f(a + b/(ϰ − c))(ϰ − c)⁴/b² = 4ϰ³ − g₂ϰ − g₃, by Taylor's formula at the root a (exsl19)."""
+def resolvent(f: Expr, at: Expansion, x: Symbol = xi) -> Expr:
+    """f(a + b/(ϰ − c))(ϰ − c)⁴/b² = 4ϰ³ − g₂ϰ − g₃, by Taylor's formula at the root a of f(x) (exsl19)."""
     shift = kappa - at.c
-    cubic, quartic = (diff(f, xi, n).subs(xi, at.a) for n in (3, 4))
+    cubic, quartic = (diff(f, x, n).subs(x, at.a) for n in (3, 4))
     return 4 * shift**3 + 12 * at.c * shift**2 + cubic / 6 * at.b * shift + quartic / 24 * at.b**2
 
 
@@ -100,9 +102,9 @@ def _claim_substitution(book: Notebook) -> None:
     book.claim("weierstrass.depressed", title, depressed, domain=where, steps=steps, source="exsl17")
 
 
-def invariants(f: Expr) -> tuple[Expr, Expr]:
-    """g₂ and g₃ of f = a₀ξ⁴ + 4a₁ξ³ + 6a₂ξ² + 4a₃ξ + a₄ by its coefficients (exsl21; DLMF 23.20(ii), 22.18)."""
-    a0, a1, a2, a3, a4 = (f.coeff(xi, 4 - n) / binomial for n, binomial in enumerate((1, 4, 6, 4, 1)))
+def invariants(f: Expr, x: Symbol = xi) -> tuple[Expr, Expr]:
+    """g₂ and g₃ of f = a₀x⁴ + 4a₁x³ + 6a₂x² + 4a₃x + a₄ by its coefficients (exsl21; DLMF 23.20(ii), 22.18)."""
+    a0, a1, a2, a3, a4 = (f.coeff(x, 4 - n) / binomial for n, binomial in enumerate((1, 4, 6, 4, 1)))
     g2 = a0 * a4 - 4 * a1 * a3 + 3 * a2**2
     g3 = a0 * a2 * a4 + 2 * a1 * a2 * a3 - a2**3 - a0 * a3**2 - a1**2 * a4
     return expand(g2), expand(g3)
@@ -130,7 +132,7 @@ def _case(case: LoadCase, book: Notebook) -> Weierstrass:
         return 4 * value**3 - g2 * value - g3
 
     if linear is None:
-        starts = uo_cases(case, at_one.value_at, at_one.c, cubic, book)
+        starts = uo_cases(case, at_one.value_at, (at_one.c, at_one.b), cubic, book)
     else:
         starts = uo_cases(case, lambda root: (root - linear[0]) / linear[1], None, cubic, book)
     return Weierstrass(g2, g3, at_one, at_tip, linear, slope_squared, starts)
