@@ -35,7 +35,9 @@ def run_report(options: argparse.Namespace) -> int:
     else:
         written = output.write_all({path: text}) and [path]
         written += [pdf.compiled(path)] if pdf.found() else []
-        print(f"{path}: {show.spelled(job.printed)}; written: {', '.join(one.name for one in written) or 'nothing new'}")
+        print(
+            f"{path}: {show.spelled(job.printed)}; written: {', '.join(one.name for one in written) or 'nothing new'}"
+        )
     save(options.json, {**found(job), "drift": [line.rstrip("\n") for line in drift]})
     if drift:
         print(f"derive report: {path} differs from what is found; run 'derive report'", file=sys.stderr)

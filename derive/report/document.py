@@ -38,7 +38,10 @@ SIDES = {"lhs": "left side", "rhs": "right side"}
 
 
 def document(
-    formulas: Sequence[Record], derived: Mapping[str, Sequence[Record]], records: Mapping[str, Record], mutants: str = ""
+    formulas: Sequence[Record],
+    derived: Mapping[str, Sequence[Record]],
+    records: Mapping[str, Record],
+    mutants: str = "",
 ) -> str:
     """The whole report.
 
@@ -83,7 +86,7 @@ def row(formula: Record) -> dict[str, Any]:
     }
 
 
-def entry(formula: Record, derived: Mapping[str, Sequence[Record]], record: Record) -> dict[str, Any]:
+def entry(formula: Record, derived: Derived, record: Record) -> dict[str, Any]:
     """One formula in the order of the article."""
     verdict, read = str(formula["verdict"]), formula["verdict"] != "UNREAD"
     forms, statements = derived.get(formula["id"], ()), formula["statements"]
@@ -105,11 +108,12 @@ def statement(judged: Record, form: Record, number: int) -> dict[str, Any]:
     """What is derived for one statement."""
     repair = judged.get("repair")
     shown = [(one["latex"], one["where"]) for one in form["forms"]]
-    common = shared([where for _, one in shown for where in one]) if len(shown) > 1 else set()
+    common = shared([where for _, one in shown for where in one])
     return {
         "name": f"derived ({number})" if number else "derived",
         "forms": [
-            {"latex": latex, "where": tex.prose(where_of(one, common)) if len(shown) > 1 else ""} for latex, one in shown
+            {"latex": latex, "where": tex.prose(where_of(one, common)) if len(shown) > 1 else ""}
+            for latex, one in shown
         ],
         "kind": tex.prose(form["kind"]),
         "repair": repair["latex"] if repair else "",
@@ -123,7 +127,7 @@ def shared(titles: Sequence[str]) -> set[str]:
 
 
 def where_of(titles: Sequence[str], common: set[str]) -> str:
-    """The readings of one form, without what they all share."""
+    """The readings of one form, without what those of all forms share."""
     short = (", ".join(part for part in title.split(", ") if part not in common) for title in titles)
     return "; ".join(dict.fromkeys(part for part in short if part))
 
@@ -140,7 +144,7 @@ def conditions(record: Record) -> str:
     return "; ".join(part for part in (said, given) if part)
 
 
-def errata(formula: Record, derived: Mapping[str, Sequence[Record]], record: Record) -> Iterator[dict[str, Any]]:
+def errata(formula: Record, derived: Derived, record: Record) -> Iterator[dict[str, Any]]:
     """The statements of a formula that do not hold as printed."""
     forms = derived.get(formula["id"], ())
     for number, judged in enumerate(formula["statements"]):

@@ -88,6 +88,6 @@ class Valued:
         """The names of scalars whose value in the reading is no letter."""
         for name in sorted(among):
             declared = self.scope.by_name.get(name)
-            if declared is not None and declared.kind == t.SCALAR and not declared.argument:
-                if worth_a_letter(self.reading.of(t.Name(name))):
-                    yield t.Name(name)
+            constant = declared is not None and declared.kind == t.SCALAR and not declared.argument
+            if constant and worth_a_letter(self.reading.of(t.Name(name))):
+                yield t.Name(name)

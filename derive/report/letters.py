@@ -12,9 +12,11 @@ from derive.check.meaning import Components, pm
 from derive.paper import tree as t
 from derive.paper.conventions import Scope
 from derive.paper.symbolic import NONE, Indices
+from derive.report.vectors import unit_vectors
 
 ENDS = ("s", "ell")  # arguments at which a moving quantity has a value of its own
 PRIMES = (1, 2, 3)
+VECTORS = (t.Name, t.Call, t.Primed, t.Varied)  # vectors whose components may stand in a value
 PRINTED = (t.Name, t.Call, t.Primed, t.Dot)  # what may stand for a value where the statement has it
 
 
@@ -31,7 +33,7 @@ class Letters:
         self.short: tuple[tuple[Symbol, Any], ...] = ()
         printed = list(self._inside())
         declared = [node for node in self._declared() if node not in printed]
-        self._letters([*printed, *declared])
+        self._letters([*printed, *declared, *self._components()])
         alone = {name for side in statement.sides if isinstance(side, PRINTED) for name in names(side)}
         self._functions([*printed, *(node for node in declared if not names(node) & alone)])
         self._abbreviations(printed)
@@ -85,6 +87,13 @@ class Letters:
             if len(pairs) == 1 and set(terms) == {(0,), (2,)}:
                 yield other**2, (letter - terms[(0,)]) / terms[(2,)]
 
+    def _components(self) -> Iterator[t.Node]:
+        """The components of the vectors of a statement, v · d₁ and so on."""
+        base = dict(unit_vectors(self.reading, self.scope))
+        for node in (below for side in self.statement.sides for below in side.walk()):
+            if isinstance(node, VECTORS) and node.type == t.VECTOR and not node.free_indices():
+                yield from (t.Dot(node, base[direction]) for direction in sorted(base))
+
     def _moves(self, node: t.Name) -> bool:
         return bool(self.scope.by_name[node.name].argument)
 
@@ -92,9 +101,9 @@ class Letters:
         """The names, calls, primes and products · in a statement; not what stands alone on a side."""
         for side in self.statement.sides:
             for node in side.walk():
-                if isinstance(node, PRINTED) and node not in self.statement.sides:
-                    if not node.free_indices() - set(self.indices):
-                        yield node
+                free = node.free_indices() - set(self.indices)
+                if isinstance(node, PRINTED) and node not in self.statement.sides and not free:
+                    yield node
 
     def _declared(self) -> Iterator[t.Node]:
         """The declared scalars, with primes and at the ends of the rod."""

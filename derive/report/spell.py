@@ -12,7 +12,7 @@ from typing import Any
 import sympy as sp
 
 from derive.paper import tree as t
-from derive.report.tidy import by_powers, negative, ordered
+from derive.report.tidy import SpellError, by_powers, negative, ordered
 from derive.theory import functions as fn
 
 Known = Mapping[Any, t.Node]  # expression → the tree that stands for it
@@ -21,10 +21,6 @@ FUNCTIONS: dict[Any, tuple[str, int]] = {
     sp.sin: ("sin", 0), sp.cos: ("cos", 0), sp.asin: ("arcsin", 0), sp.acosh: ("arccosh", 0), sp.log: ("ln", 0),
     fn.wp: ("wp", 0), fn.wp_prime: ("wp", 1), fn.wzeta: ("zeta", 0), fn.wsigma: ("sigma", 0),
 }  # fmt: skip
-
-
-class SpellError(ValueError):
-    """An expression that the letters of the section cannot write; the message says which part."""
 
 
 def no(*given: Any) -> bool:

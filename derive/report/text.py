@@ -28,6 +28,7 @@ GREEK = {
     "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "mu", "nu", "xi", "sigma", "tau",
     "phi", "chi", "psi", "omega", "ell", "varkappa", "vartheta", "varepsilon", "lambda", "rho",
 }  # fmt: skip
+NAMES = re.compile(r"(\b[A-Za-z]+(?:_[A-Za-z0-9]+)+\b|(?<=[ =])-\d+\b|\b(?:" + "|".join(sorted(GREEK)) + r")\b)")
 DIGITS = 8  # of a decimal number
 COMMENT = re.compile(r"(?<!\\)%[^\n]*")
 LEFT_OUT = re.compile(r"\\label\s*\{[^{}]*\}|\\(?:nonumber|notag)(?![A-Za-z])")
@@ -67,7 +68,9 @@ def symbol(name: str) -> str:
 
 def prose(said: str) -> str:
     """Text in which names of the theory, such as ``xi_tip``, and numbers with a minus are set as formulas."""
-    parts = re.split(r"(\b[A-Za-z]+(?:_[A-Za-z0-9]+)+\b|(?<=[ =])-\d+\b|\b(?:" + "|".join(sorted(GREEK)) + r")\b)", said)
+    parts = re.split(
+        r"(\b[A-Za-z]+(?:_[A-Za-z0-9]+)+\b|(?<=[ =])-\d+\b|\b(?:" + "|".join(sorted(GREEK)) + r")\b)", said
+    )
     return "".join(_named(part) if n % 2 else text(part) for n, part in enumerate(parts))
 
 

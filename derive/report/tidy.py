@@ -10,6 +10,11 @@ import sympy as sp
 
 from derive.check.timing import TimeLimit, limited
 
+
+class SpellError(ValueError):
+    """An expression that the letters of the section cannot write; the message says which part."""
+
+
 SECONDS = 2.0  # for one way
 Letters = tuple[tuple[sp.Symbol, Any], ...]  # a letter, as a placeholder, and the value that it abbreviates
 

@@ -11,8 +11,8 @@ from derive.paper import tree as t
 from derive.paper.conventions import Scope
 from derive.paper.symbolic import NONE, Indices
 from derive.report.letters import Letters, names
-from derive.report.spell import FUNCTIONS, Speller, SpellError
-from derive.report.tidy import abbreviated, ways
+from derive.report.spell import FUNCTIONS, Speller
+from derive.report.tidy import SpellError, abbreviated, ways
 
 INVARIANTS = 2  # the arguments of ℘, ζ, σ that are left out where they are understood
 
