@@ -41,6 +41,15 @@ def parser() -> argparse.ArgumentParser:
     add.add_argument("--out", type=Path, metavar="DIR", help="folder for the modules (default: generated)")
     add.add_argument("--check", action="store_true", help="write nothing; exit 1 with a diff on drift")
 
+    add = commands.add_parser(
+        "report", parents=[common], help="write what was found about the printed formulas, as LaTeX and PDF"
+    )
+    add.add_argument("--out", type=Path, metavar="DIR", help="folder for the report (default: generated)")
+    add.add_argument("--paper", type=Path, metavar="FILE", help="judge a LaTeX source (needs --out)")
+    add.add_argument("--mutants", type=Path, metavar="FILE", help="score of `derive check --mutants --json FILE`")
+    add.add_argument("--pdf", action="store_true", help="fail where pdflatex is missing (else only LaTeX is written)")
+    add.add_argument("--check", action="store_true", help="write nothing; exit 1 with a diff on drift")
+
     add = commands.add_parser("explain", parents=[common], help="the chain from a formula back to the energy")
     add.add_argument("what", metavar="ID|MODULE:LINE", help="claim, formula, or a line of an emitted module")
 
@@ -67,9 +76,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if not given or (given[0].startswith("-") and given[0] not in ("-h", "--help")):
         given = ["all", *given]
     options = parser().parse_args(given)
-    from derive import commands, commands_check
+    from derive import commands, commands_check, commands_report
 
-    place = commands_check if options.command == "check" else commands
+    place = {"check": commands_check, "report": commands_report}.get(options.command, commands)
     try:
         code: int = getattr(place, f"run_{options.command}")(options)
         return code

@@ -25,6 +25,7 @@ from derive.resources import kernels_folder, shipped_scenes
 from derive.runner import Runner
 from derive.stages import Task
 
+REPORT = "paper_checks.tex"
 PAPERS_ROD = {"beta": 0.00035, "eta": 0.00052, "length": 80.0, "clamp_angle": 3 * math.pi / 4}
 
 
@@ -32,11 +33,12 @@ def kind_of(error: Exception) -> str | None:
     """Whether an error is a "mistake" of the user, a "failure" of a check, or (None) one of this program."""
     from derive.emit.errors import EmitError, SceneError
     from derive.paper.errors import ReadError
+    from derive.pdf import TypesettingError
 
     mistakes = (MistakeError, output.OutputError, pipeline.UnknownFormulaError, SceneError, ReadError)
     if isinstance(error, mistakes):
         return "mistake"
-    return "failure" if isinstance(error, stages.DerivationError | EmitError) else None
+    return "failure" if isinstance(error, stages.DerivationError | EmitError | TypesettingError) else None
 
 
 @contextmanager
@@ -89,6 +91,8 @@ def write_modules(options: argparse.Namespace, scenes: list[Path], *, paper: boo
     with running(options) as runner:
         job = pipeline.main_job(runner, scenes, paper=paper)
         files = emitted_files(runner, job, folder, kernels=not options.out) if job.holds else {}
+    if paper and job.holds:
+        files[folder / REPORT] = pipeline.report_text(job)
     save(options.json, summary(job))
     if not job.holds:
         return failed(job)

@@ -1,4 +1,4 @@
-"""The main job: derive, judge, emit, prove, run against the references; nothing is written unless all of it holds."""
+"""The main job: derive, judge, emit, prove, run against the references, report; all of it holds, or nothing is written."""
 
 from __future__ import annotations
 
@@ -28,6 +28,8 @@ class Job:
     claims: list[dict[str, Any]] = field(default_factory=list)
     broken: str = ""
     printed: list[dict[str, Any]] = field(default_factory=list)
+    records: dict[str, dict[str, Any]] = field(default_factory=dict)
+    derived: dict[str, dict[str, Any]] = field(default_factory=dict)
     modules: list[dict[str, Any]] = field(default_factory=list)
     agreements: dict[str, dict[str, Any]] = field(default_factory=dict)
     written: list[Path] = field(default_factory=list)
@@ -35,7 +37,8 @@ class Job:
     @property
     def holds(self) -> bool:
         """Whether modules may be written."""
-        return not (self.broken or self.failed_claims() or self.failed_printed() or self.failed_modules())
+        failed = self.failed_claims() or self.failed_printed() or self.failed_derived() or self.failed_modules()
+        return not (self.broken or failed)
 
     def failed_claims(self) -> list[dict[str, Any]]:
         """Claims of the derivation that are neither proved nor agreed."""
@@ -53,6 +56,10 @@ class Job:
     def failed_printed(self) -> list[dict[str, Any]]:
         """Printed formulas on which there is no verdict."""
         return [formula for formula in self.printed if formula["verdict"] in GAVE_UP]
+
+    def failed_derived(self) -> list[str]:
+        """Why derived forms of printed formulas do not read back or are not proved."""
+        return [forms["failure"] for forms in self.derived.values() if forms["failure"]]
 
     def failed_modules(self) -> list[tuple[str, str]]:
         """Module and reason, for formulas that do not read back and for answers that differ from the references."""
@@ -87,6 +94,21 @@ def judge_paper(runner: Runner, job: Job, formulas: Sequence[dict[str, Any]]) ->
     """Judge printed formulas."""
     tasks = [Task("printed", record["id"], stages.judge_printed, (record,), stages.PRINTED) for record in formulas]
     job.printed = runner.results(tasks, stages.derived)
+
+
+def write_up(runner: Runner, job: Job, formulas: Sequence[dict[str, Any]]) -> None:
+    """Find the derived forms of printed formulas, read back and proved."""
+    tasks = [Task("derived", record["id"], stages.derive_forms, (record,), stages.REPORT) for record in formulas]
+    job.records = {record["id"]: record for record in formulas}
+    job.derived = dict(zip(job.records, runner.results(tasks, stages.derived), strict=True))
+
+
+def report_text(job: Job, mutants: str = "") -> str:
+    """The report on what a job found, as LaTeX. mutants: a line on how wrong variants fared."""
+    from derive.report.document import document
+
+    judged = [formula for formula in job.printed if formula["id"] in job.records]
+    return document(judged, {name: one["statements"] for name, one in job.derived.items()}, job.records, mutants)
 
 
 def read_scenes(runner: Runner, scenes: Iterable[Path]) -> list[Task]:
@@ -131,7 +153,9 @@ def main_job(runner: Runner, scenes: Sequence[Path], *, paper: bool = True) -> J
     job, emission = Job(), read_scenes(runner, scenes)
     judge_theory(runner, job)
     if job.holds and paper:
-        judge_paper(runner, job, printed_formulas(runner))
+        formulas = printed_formulas(runner)
+        judge_paper(runner, job, formulas)
+        write_up(runner, job, formulas)
     if job.holds:
         emit_modules(runner, job, emission)
     if job.holds:

@@ -78,6 +78,8 @@ def show_failures(console: Console, job: Job) -> None:
     for formula in job.failed_printed():
         console.print(f"[bold red]{formula['verdict']}[/] printed formula [bold]{formula['id']}[/]", soft_wrap=True)
         show_grounds(console, formula)
+    for reason in job.failed_derived():
+        console.print(f"[bold red]derived form[/] {escape(reason)}", soft_wrap=True)
     for name, reason in job.failed_modules():
         console.print(f"[bold red]module {name}[/]: {escape(reason)}", soft_wrap=True)
 

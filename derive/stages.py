@@ -21,6 +21,7 @@ THEORY = (HERE / "theory",)
 CHECK = (*THEORY, HERE / "check")
 PRINTED = (*CHECK, HERE / "paper")
 PAPER = (HERE / "paper",)
+REPORT = (*PRINTED, HERE / "report")
 EMIT = (*CHECK, HERE / "emit", HERE / "resources.py")
 REFERENCE = tuple(HERE / "measure" / f"{name}.py" for name in ("taylor", "reference", "scan", "rods"))
 AGREEMENT = (*REFERENCE, *(HERE / "measure" / f"{name}.py" for name in ("agreement", "sweeps", "loading")))
@@ -98,6 +99,21 @@ def judge_printed(record: dict[str, Any]) -> dict[str, Any]:
     formula = Record(**{**record, "given": tuple(record["given"])})
     (verdict,) = judge_formulas(theory(), {formula.id: formula})
     return plain(verdict)
+
+
+def derive_forms(record: dict[str, Any]) -> dict[str, Any]:
+    """The derived forms of the statements of one printed formula; "failure" says which of them is wrong."""
+    from derive.paper.errors import ReadError
+    from derive.paper.ledger import Record
+    from derive.report.derived import ReadBackError, derived_forms
+
+    formula = Record(**{**record, "given": tuple(record["given"])})
+    try:
+        return {"statements": [plain(one) for one in derived_forms(theory(), formula)], "failure": ""}
+    except ReadError:  # its verdict says so
+        return {"statements": [], "failure": ""}
+    except ReadBackError as error:
+        return {"statements": [], "failure": str(error)}
 
 
 def scene_text(path: Path) -> str:

@@ -23,15 +23,17 @@ RANK = {
     "stages": 6,
     "output": 6,
     "numbers": 6,
+    "pdf": 7,
     "runner": 7,
     "pipeline": 8,
     "explain": 8,
     "show": 9,
     "commands": 10,
     "commands_check": 11,
-    "cli": 12,
-    "__main__": 13,
-    "__init__": 13,
+    "commands_report": 12,
+    "cli": 13,
+    "__main__": 14,
+    "__init__": 14,
 }
 ALLOWED_IN_GENERATED = {"numpy", "mpmath"} | set(sys.stdlib_module_names)
 

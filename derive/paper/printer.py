@@ -147,8 +147,10 @@ class Printer:
         exponent = f"^{{{self.sum(node.exponent)}}}"
         if isinstance(node.base, t.Call) and not (node.base.primes or isinstance(node.exponent, t.Signed)):
             return self.call(node.base, exponent)
-        if isinstance(node.base, t.Name | t.Number | t.Norm):
+        if isinstance(node.base, t.Name):
             return scripted(self.factor(node.base)) + exponent
+        if isinstance(node.base, t.Number | t.Norm):
+            return self.factor(node.base) + exponent
         return self.bracket(node.base) + exponent
 
     def call(self, node: t.Call, power: str) -> str:

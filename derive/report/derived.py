@@ -20,12 +20,12 @@ from derive.check.verdicts import PROVED
 from derive.paper import tree as t
 from derive.paper.ledger import Record
 from derive.paper.reader import parse
-from derive.report.forms import form_in
+from derive.report.forms import SilentError, form_in
 from derive.report.lines import in_lines
-from derive.report.spell import SpellError
+from derive.report.tidy import SpellError
 
 SECONDS = 20.0  # for the proof of one form
-LONGEST = 900  # characters of a form that anybody would read
+LONGEST = 700  # characters of a form that anybody would read
 FORMS = 3  # different forms of one statement; more say less than the printed one
 
 
@@ -70,13 +70,17 @@ def derived(theory: Any, record: Record, statement: t.Statement, given: tuple[t.
         for one in placed(theory, record, statement, given):
             latex = in_lines(one.form, record.scope or "")
             if len(latex) > LONGEST:
-                return Derived((), "the derived value is too long to be read; both sides were compared in the theory")
+                return Derived((), "too long to be read; both sides were compared in the theory")
             must_hold(latex, one, record)
             found.setdefault(latex, []).append(one.title)
-    except (SpellError, MeaningError) as reason:
-        return Derived((), f"no closed form in the letters of the section: {reason}")
+    except SilentError as reason:
+        return Derived((), str(reason))
+    except MeaningError:  # the verdict says what has no meaning
+        return Derived((), "not valued")
+    except SpellError:
+        return Derived((), "valued in components, which have no letters here; both sides were compared in them")
     if not found or len(found) > FORMS:
-        return Derived((), "each reading gives a form of its own; both sides were compared in all of them")
+        return Derived((), "a form of its own in each reading; both sides were compared in all of them")
     return Derived(tuple(Form(latex, tuple(dict.fromkeys(where))) for latex, where in found.items()))
 
 
@@ -104,6 +108,8 @@ def placed(theory: Any, record: Record, statement: t.Statement, given: tuple[t.S
     for branch in branches(statement):
         assumed = (*given, *branch.given)
         for reading in readings(theory, record.scope or "", branch.statement.sides, assumed):
+            if not reading.reads(*branch.statement.sides[:2]):
+                continue
             for indices in index_values(branch.statement):
                 form = form_in(reading, record.scope or "", branch.statement, assumed, indices)
                 named = (f"{letter} = {value}" for letter, value in indices.items())
@@ -116,7 +122,10 @@ def must_hold(latex: str, one: Placed, record: Record) -> None:
     back = parse(latex, record.scope or "")
     if back != [one.form]:
         raise ReadBackError(f"{record.id}: the derived form does not read back: {latex}")
-    for title, claim, _ in claims_of(back[0], one.reading, one.given, record.id):
+    claims = list(claims_of(back[0], one.reading, one.given, record.id))
+    if not claims:
+        raise ReadBackError(f"{record.id}: the derived form says nothing ({one.title}): {latex}")
+    for title, claim, _ in claims:
         verdict = judge(claim, SECONDS)
         if verdict.verdict != PROVED:
             said = f"{verdict.verdict}, {verdict.reason or verdict.counterexample}"

@@ -11,10 +11,14 @@ from sympy import MatrixBase
 from derive.check.meaning import Components
 from derive.paper import tree as t
 from derive.paper.conventions import scope as conventions_of
-from derive.paper.symbolic import Indices
-from derive.report.letters import Writer, names, worth_a_letter
-from derive.report.spell import SpellError
+from derive.paper.symbolic import Indices, to_sympy
+from derive.report.letters import names, worth_a_letter
 from derive.report.vectors import instance, spelled_vector
+from derive.report.writer import Writer
+
+
+class SilentError(ValueError):
+    """The values say no more than what is printed."""
 
 
 def form_in(
@@ -23,7 +27,7 @@ def form_in(
     """``side operator value``: the first side, unless its value says nothing of the others.
 
     Then the constant of integration that the statement names, by its value. Of an inequality, the second side is
-    valued. SpellError if there is nothing to say.
+    valued. SilentError if there is nothing to say.
     """
     operator = statement.operators[0]
     valued = Valued(reading, scope, statement, given, indices)
@@ -32,12 +36,17 @@ def form_in(
     first, other = valued.instance(statement.sides[0]), names(*statement.sides[1:])
     for side in statement.sides:
         value = valued.of(side)
-        if value != first and (len(names(value)) != 1 or names(value) & other):
+        if not same(value, first, scope) and (len(names(value)) != 1 or names(value) & other):
             return t.Statement((first, value), (operator,))
     for name in valued.compound(other):
         named = replace(statement, sides=(name, *statement.sides))
         return t.Statement((name, Valued(reading, scope, named, given, indices).of(name)), (operator,))
-    raise SpellError("a name for itself")
+    raise SilentError("an identity of its letters: the difference of its sides reduces to zero")
+
+
+def same(one: t.Node, other: t.Node, scope: str) -> bool:
+    """Are they the same formula, but for the order of terms and factors?"""
+    return one == other or bool(to_sympy(one, scope) == to_sympy(other, scope))
 
 
 class Valued:
@@ -79,6 +88,6 @@ class Valued:
         """The names of scalars whose value in the reading is no letter."""
         for name in sorted(among):
             declared = self.scope.by_name.get(name)
-            if declared is not None and declared.kind == t.SCALAR and not declared.argument:
-                if worth_a_letter(self.reading.of(t.Name(name))):
-                    yield t.Name(name)
+            constant = declared is not None and declared.kind == t.SCALAR and not declared.argument
+            if constant and worth_a_letter(self.reading.of(t.Name(name))):
+                yield t.Name(name)

@@ -5,76 +5,81 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from sympy import Derivative, Dummy, Expr, Poly, Symbol, expand
+from sympy import Derivative, Dummy, Expr, Poly, Symbol
 from sympy.core.function import AppliedUndef
 
 from derive.check.meaning import Components, pm
 from derive.paper import tree as t
 from derive.paper.conventions import Scope
 from derive.paper.symbolic import NONE, Indices
-from derive.report.spell import Speller, SpellError
-from derive.report.tidy import Letters, ways
+from derive.report.vectors import unit_vectors
 
 ENDS = ("s", "ell")  # arguments at which a moving quantity has a value of its own
 PRIMES = (1, 2, 3)
+VECTORS = (t.Name, t.Call, t.Primed, t.Varied)  # vectors whose components may stand in a value
 PRINTED = (t.Name, t.Call, t.Primed, t.Dot)  # what may stand for a value where the statement has it
 
 
-class Writer:
-    """Writes the values that a statement has in a reading, in the letters of its section."""
+class Letters:
+    """What stands for what in one reading of a statement.
+
+    known: expression → tree, for what has no parts, for functions, and for placeholders. short: placeholders and the
+    values that they abbreviate. instead: what is replaced before anything is written.
+    """
 
     def __init__(self, reading: Components, scope: Scope, statement: t.Statement, indices: Indices = NONE) -> None:
         self.reading, self.scope, self.statement, self.indices = reading, scope, statement, indices
-        self.known, self.short = self._known()
+        self.known: dict[Any, t.Node] = {}
+        self.short: tuple[tuple[Symbol, Any], ...] = ()
+        printed = list(self._inside())
+        declared = [node for node in self._declared() if node not in printed]
+        self._letters([*printed, *declared, *self._components()])
+        alone = {name for side in statement.sides if isinstance(side, PRINTED) for name in names(side)}
+        self._functions([*printed, *(node for node in declared if not names(node) & alone)])
+        self._abbreviations(printed)
         self.instead = dict(self._eliminated())
 
-    def of(self, value: Any, powers: t.Node | None = None) -> t.Node:
-        """The shortest form of a value, of those with the fewest names from elsewhere; SpellError if there is none.
-
-        powers: the letter by whose powers a polynomial is ordered.
-        """
-        value = value.subs(self.instead)
-        letter = next((found for found, node in self.known.items() if node == powers and is_letter(found)), None)
-        functions = [name for name, one in self.scope.by_name.items() if one.kind == "function"]
-        speller = Speller(self.known, functions, {pm: r"\pm"}, self._same, self._moving, letter)
-        if letter is not None and value.is_polynomial(letter):
-            return speller.of(expand(value))
-        written, reasons = list[t.Node](), list[SpellError]()
-        for form in ways(value, self.short):
+    def valued(self, nodes: Iterable[t.Node]) -> Iterator[tuple[t.Node, Any]]:
+        """Trees with their values, as far as they have a meaning in the reading."""
+        for node in nodes:
             try:
-                written.append(speller.of(form))
-            except SpellError as error:
-                reasons.append(error)
-        if not written:
-            raise reasons[0]
-        own = names(*self.statement.sides)
-        return min(written, key=lambda node: len(names(node) - own))
+                yield node, self.reading.of(node, self.indices)
+            except (ValueError, TypeError, KeyError, AttributeError):  # no meaning here
+                continue
 
-    def _known(self) -> tuple[dict[Any, t.Node], Letters]:
-        """Trees for expressions without parts and for functions, and abbreviations of what the statement names."""
-        printed, declared = list(self._inside()), list(self._declared())
-        known: dict[Any, t.Node] = {}
-        for node, value in self._valued([*printed, *declared]):
-            if is_letter(value):
-                own = isinstance(node, t.Name) and node.name == str(value)
-                known = {**known, value: node} if own else {value: node, **known}
+    def names_letter(self, powers: t.Node | None) -> Symbol | None:
+        """The letter of the theory for which a printed name stands, if there is one."""
+        return next((found for found, node in self.known.items() if node == powers and is_letter(found)), None)
+
+    def _letters(self, nodes: Iterable[t.Node]) -> None:
+        """Trees for what has no parts: of two, the one with the letter's own name, else the first."""
+        for node, value in self.valued(nodes):
+            own = isinstance(node, t.Name) and node.name == str(value)
+            if is_letter(value) and (own or value not in self.known):
+                self.known[value] = node
+
+    def _functions(self, nodes: Iterable[t.Node]) -> None:
+        for node, value in self.valued(nodes):
+            if isinstance(value, Expr) and value.is_Function and not is_letter(value):
+                self.known.setdefault(value, node)
+
+    def _abbreviations(self, nodes: Iterable[t.Node]) -> None:
+        """Placeholders for sums and products that the statement names."""
         short: dict[Any, Symbol] = {}
-        for node, value in self._valued([*printed, *(node for node in declared if node not in self.statement.sides)]):
-            if is_call(value):
-                known.setdefault(value, node)
-            elif node in printed and isinstance(node, t.Name | t.Dot) and worth_a_letter(value) and value not in short:
+        for node, value in self.valued(nodes):
+            if isinstance(node, t.Name | t.Dot) and worth_a_letter(value) and value not in short:
                 short[value] = Dummy(real=True)
-                known[short[value]] = node
-        return known, tuple((letter, value) for value, letter in short.items())
+                self.known[short[value]] = node
+        self.short = tuple((letter, value) for value, letter in short.items())
 
     def _eliminated(self) -> Iterator[tuple[Any, Any]]:
-        """The square of a letter that the statement does not have, by the one letter of it that rests on it: k² by γ."""
+        """The square of a moving letter that the statement does not have, by the one that rests on it: k² by γ."""
         own = names(*self.statement.sides)
         resting: dict[Any, list[tuple[Symbol, Any]]] = {}
         for letter, value in self.short:
             for other in value.free_symbols:
                 node = self.known.get(other)
-                if value.is_Add and isinstance(node, t.Name) and node.name not in own:
+                if value.is_Add and isinstance(node, t.Name) and node.name not in own and self._moves(node):
                     resting.setdefault(other, []).append((letter, value))
         for other, pairs in resting.items():
             letter, value = pairs[0]
@@ -82,13 +87,23 @@ class Writer:
             if len(pairs) == 1 and set(terms) == {(0,), (2,)}:
                 yield other**2, (letter - terms[(0,)]) / terms[(2,)]
 
+    def _components(self) -> Iterator[t.Node]:
+        """The components of the vectors of a statement, v · d₁ and so on."""
+        base = dict(unit_vectors(self.reading, self.scope))
+        for node in (below for side in self.statement.sides for below in side.walk()):
+            if isinstance(node, VECTORS) and node.type == t.VECTOR and not node.free_indices():
+                yield from (t.Dot(node, base[direction]) for direction in sorted(base))
+
+    def _moves(self, node: t.Name) -> bool:
+        return bool(self.scope.by_name[node.name].argument)
+
     def _inside(self) -> Iterator[t.Node]:
-        """The names, calls and primes in a statement; not what stands alone on a side."""
+        """The names, calls, primes and products · in a statement; not what stands alone on a side."""
         for side in self.statement.sides:
             for node in side.walk():
-                if isinstance(node, PRINTED) and node not in self.statement.sides:
-                    if not node.free_indices() - set(self.indices):
-                        yield node
+                free = node.free_indices() - set(self.indices)
+                if isinstance(node, PRINTED) and node not in self.statement.sides and not free:
+                    yield node
 
     def _declared(self) -> Iterator[t.Node]:
         """The declared scalars, with primes and at the ends of the rod."""
@@ -99,21 +114,6 @@ class Writer:
                     yield from (t.Call(name, (t.Name(end),)) for end in ENDS if end in self.scope.by_name)
                     yield from (t.Primed(t.Name(name), order) for order in PRIMES)
 
-    def _valued(self, nodes: Iterable[t.Node]) -> Iterator[tuple[t.Node, Any]]:
-        """Trees with their values, as far as they have a meaning in the reading."""
-        for node in nodes:
-            try:
-                yield node, self.reading.of(node, self.indices)
-            except (ValueError, TypeError, KeyError, AttributeError):  # no meaning here
-                continue
-
-    def _moving(self, name: str) -> bool:
-        return self.scope.by_name[name].callable
-
-    def _same(self, node: t.Node, value: Any) -> bool:
-        whole = value.subs(self.short)
-        return any(found == whole for _, found in self._valued([node]))
-
 
 def names(*nodes: t.Node) -> set[str]:
     """The names in trees."""
@@ -123,11 +123,6 @@ def names(*nodes: t.Node) -> set[str]:
 def is_letter(value: Any) -> bool:
     """Has it no parts: a symbol, an unknown function, a derivative of one?"""
     return isinstance(value, Symbol | AppliedUndef | Derivative) and value != pm
-
-
-def is_call(value: Any) -> bool:
-    """Is it one function at an argument, such as cos θ?"""
-    return isinstance(value, Expr) and bool(value.is_Function) and not is_letter(value)
 
 
 def worth_a_letter(value: Any) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 from derive.paper import tree as t
 from derive.paper.printer import to_latex
@@ -75,8 +75,3 @@ def width(node: t.Node) -> float:
 def bracketed(node: t.Node) -> float:
     """The width of the brackets that a factor needs."""
     return 1.0 if isinstance(node, t.Sum | t.Signed) else 0.0
-
-
-def total(nodes: Sequence[t.Node]) -> float:
-    """The width of formulas side by side."""
-    return sum(map(width, nodes))

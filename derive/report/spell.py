@@ -12,7 +12,7 @@ from typing import Any
 import sympy as sp
 
 from derive.paper import tree as t
-from derive.report.tidy import by_powers, negative, ordered
+from derive.report.tidy import SpellError, by_powers, negative, ordered
 from derive.theory import functions as fn
 
 Known = Mapping[Any, t.Node]  # expression → the tree that stands for it
@@ -21,10 +21,6 @@ FUNCTIONS: dict[Any, tuple[str, int]] = {
     sp.sin: ("sin", 0), sp.cos: ("cos", 0), sp.asin: ("arcsin", 0), sp.acosh: ("arccosh", 0), sp.log: ("ln", 0),
     fn.wp: ("wp", 0), fn.wp_prime: ("wp", 1), fn.wzeta: ("zeta", 0), fn.wsigma: ("sigma", 0),
 }  # fmt: skip
-
-
-class SpellError(ValueError):
-    """An expression that the letters of the section cannot write; the message says which part."""
 
 
 def no(*given: Any) -> bool:
@@ -37,14 +33,13 @@ class Speller:
     """Writes expressions as trees.
 
     known: what has a letter. allowed: names of functions that the section has. signs: symbols of square one and the
-    printed sign of each. same: does a shortened call (℘ without its invariants) still have the value? moving:
-    would a name take a bracket after it as its argument? powers: the letter by whose powers sums are ordered, if there is one.
+    printed sign of each. moving: would a name take a bracket after it as its argument? powers: the letter by whose
+    powers sums are ordered, if there is one.
     """
 
     known: Known
     allowed: Collection[str] = ()
     signs: Mapping[Any, str] = field(default_factory=dict)
-    same: Callable[[t.Node, Any], bool] = no
     moving: Callable[[str], bool] = no
     powers: sp.Symbol | None = None
 
@@ -108,13 +103,10 @@ class Speller:
         return t.Power(self.of(base), self.of(exponent))
 
     def call(self, expr: Any) -> t.Node:
-        """A function at its arguments; invariants of ℘ are left out where they are understood."""
+        """A function at its arguments."""
         name, primes = FUNCTIONS.get(expr.func, ("", 0))
         if name not in self.allowed:
             raise SpellError(f"there is no letter for the function {expr.func.__name__}")
-        short = t.Call(name, (self.of(expr.args[0]),), primes)
-        if len(expr.args) == 1 or self.same(short, expr):
-            return short
         return t.Call(name, tuple(self.of(arg) for arg in expr.args), primes)
 
 

@@ -23,13 +23,16 @@ ESCAPED = {
     "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "<": r"$<$", ">": r"$>$", "|": r"$|$", '"': r"''",
     "–": "--", "—": "---", "‘": "`", "’": "'", "“": "``", "”": "''",
 }  # fmt: skip
+ACCENTS = {"bar": r"\overline", "hat": r"\hat", "tilde": r"\tilde"}
 GREEK = {
     "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "mu", "nu", "xi", "sigma", "tau",
     "phi", "chi", "psi", "omega", "ell", "varkappa", "vartheta", "varepsilon", "lambda", "rho",
 }  # fmt: skip
+NAMES = re.compile(r"(\b[A-Za-z]+(?:_[A-Za-z0-9]+)+\b|(?<=[ =])-\d+\b|\b(?:" + "|".join(sorted(GREEK)) + r")\b)")
+DIGITS = 8  # of a decimal number
 COMMENT = re.compile(r"(?<!\\)%[^\n]*")
 LEFT_OUT = re.compile(r"\\label\s*\{[^{}]*\}|\\(?:nonumber|notag)(?![A-Za-z])")
-CLOSING = re.compile(r"(?:\\[,;:! ]|\\quad(?![A-Za-z])|\\qquad(?![A-Za-z])|[\s.,;~])+$")
+CLOSING = re.compile(r"(?:\\[,;:! ]|\\quad(?![A-Za-z])|\\qquad(?![A-Za-z])|[\s,;~]|(?<!\\right)\.)+$")
 
 
 def text(said: str) -> str:
@@ -55,14 +58,41 @@ def symbol(name: str) -> str:
         return rf"\text{{{text(name)}}}"
     base, *scripts = name.split("_")
     letter = rf"\{base}" if base in GREEK else base if len(base) == 1 else rf"\mathrm{{{base}}}"
-    if "bar" in scripts:
-        scripts.remove("bar")
-        letter = rf"\overline{{{letter}}}"
+    for accent, written in ACCENTS.items():
+        if accent in scripts:
+            scripts.remove(accent)
+            letter = rf"{written}{{{letter}}}"
     under = ", ".join(part if part.isdigit() or len(part) == 1 else rf"\mathrm{{{part}}}" for part in scripts if part)
     return f"{letter}_{{{under}}}" if under else letter
 
 
+def prose(said: str) -> str:
+    """Text in which names of the theory, such as ``xi_tip``, and numbers with a minus are set as formulas."""
+    parts = re.split(
+        r"(\b[A-Za-z]+(?:_[A-Za-z0-9]+)+\b|(?<=[ =])-\d+\b|\b(?:" + "|".join(sorted(GREEK)) + r")\b)", said
+    )
+    return "".join(_named(part) if n % 2 else text(part) for n, part in enumerate(parts))
+
+
+def _named(part: str) -> str:
+    """A number or the name of a letter as a formula; names made of words as words."""
+    base = part.split("_")[0]
+    if part.startswith("-"):
+        return f"${part}$"
+    return f"${symbol(part)}$" if base in GREEK or len(base) == 1 else text(part.replace("_", " "))
+
+
+def number(said: str) -> str:
+    """A number as text for a formula: a fraction as it stands, a decimal to a few digits; other text is escaped."""
+    if re.fullmatch(r"-?\d+(?:/\d+)?", said):
+        return said
+    if found := re.fullmatch(r"(-?\d+\.\d*)(?:e([+-]?\d+))?", said):
+        short = f"{float(found[1]):.{DIGITS}g}"
+        return rf"{short} \cdot 10^{{{int(found[2])}}}" if found[2] else short
+    return rf"\text{{{text(said)}}}"
+
+
 def printed(latex: str) -> str:
     """A printed display without its label, comments and closing punctuation, in one line of source."""
-    found = LEFT_OUT.sub("", COMMENT.sub("", latex))
+    found = LEFT_OUT.sub("", COMMENT.sub("", latex)).replace("{split}", "{aligned}")
     return " ".join(CLOSING.sub("", found).split())

@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from itertools import combinations
 from typing import Any
 
 import sympy as sp
 
 from derive.check.timing import TimeLimit, limited
+
+
+class SpellError(ValueError):
+    """An expression that the letters of the section cannot write; the message says which part."""
+
 
 SECONDS = 2.0  # for one way
 Letters = tuple[tuple[sp.Symbol, Any], ...]  # a letter, as a placeholder, and the value that it abbreviates
@@ -19,9 +25,21 @@ def _squares_of_cosines(expr: Any) -> Any:
     return sp.expand(expr).subs({call**2: 1 - sp.cos(call.args[0]) ** 2 for call in sines}) if sines else expr
 
 
+def _gathered(expr: Any) -> Any:
+    """Factors with (x − 1)(x + 1) multiplied out and a minus before all taken into a sum: (1 − x²)(…)."""
+    found = sp.factor(_squares_of_cosines(expr))
+    sums = [part for part in sp.Mul.make_args(found) if part.is_Add and len(part.args) == 2]
+    for one, other in combinations(sums, 2):
+        product = sp.expand(one * other)
+        if product.is_Add and len(product.args) == 2:
+            rest = found / (one * other)
+            taken = -1 if rest.as_coeff_Mul()[0].is_negative else 1
+            return sp.Mul(taken * rest, sp.expand(taken * product), evaluate=True)
+    return found
+
+
 _WAYS: tuple[Callable[[Any], Any], ...] = (
-    sp.expand, sp.factor, sp.together, sp.trigsimp, sp.cancel, _squares_of_cosines,
-    lambda expr: sp.factor(_squares_of_cosines(expr)),
+    sp.expand, sp.factor, sp.together, sp.trigsimp, sp.cancel, _squares_of_cosines, _gathered,
 )  # fmt: skip
 
 

@@ -12,8 +12,7 @@ from derive.check.meaning import Components
 from derive.paper import tree as t
 from derive.paper.conventions import Scope
 from derive.paper.symbolic import Indices, member
-from derive.report.spell import SpellError
-from derive.report.tidy import negative
+from derive.report.tidy import SpellError, negative
 
 Write = Callable[[Any], t.Node]  # of a scalar
 
@@ -45,7 +44,11 @@ def component(value: Any, left: t.Node, right: t.Node | None, write: Write) -> t
     if negative(value):
         return t.Signed("-", component(-value, left, right, write))
     vector = left if right is None else t.Outer(left, right)
-    return vector if value == 1 else t.Product((write(value), vector))
+    if value == 1:
+        return vector
+    scalar = write(value)
+    factors = scalar.factors if isinstance(scalar, t.Product) else (scalar,)
+    return t.Product((*factors, vector))
 
 
 def base_vectors(reading: Components, scope: Scope) -> list[t.Node]:
@@ -58,7 +61,7 @@ def base_vectors(reading: Components, scope: Scope) -> list[t.Node]:
 
 def unit_vectors(reading: Components, scope: Scope) -> Iterator[tuple[int, t.Node]]:
     """Direction and letter, for the declared vectors that are base vectors; of two letters the first declared."""
-    for name, declared in reversed(scope.by_name.items()):
+    for name, declared in reversed(list(scope.by_name.items())):
         if declared.kind == t.VECTOR:
             try:
                 value = reading.name(name)

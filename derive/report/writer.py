@@ -1,0 +1,71 @@
+"""Values of a statement, written in the letters of its section: of several equal forms the one that reads best."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sympy import Dummy, Symbol, expand
+
+from derive.check.meaning import Components, pm
+from derive.paper import tree as t
+from derive.paper.conventions import Scope
+from derive.paper.symbolic import NONE, Indices
+from derive.report.letters import Letters, names
+from derive.report.spell import FUNCTIONS, Speller
+from derive.report.tidy import SpellError, abbreviated, ways
+
+INVARIANTS = 2  # the arguments of ℘, ζ, σ that are left out where they are understood
+
+
+class Writer:
+    """Writes the values that a statement has in a reading."""
+
+    def __init__(self, reading: Components, scope: Scope, statement: t.Statement, indices: Indices = NONE) -> None:
+        self.letters, self.scope = Letters(reading, scope, statement, indices), scope
+        self.own = names(*statement.sides)
+
+    def of(self, value: Any, powers: t.Node | None = None) -> t.Node:
+        """The shortest form of a value, of those with the fewest names from elsewhere; SpellError if there is none.
+
+        powers: the letter by whose powers a polynomial is ordered.
+        """
+        letter = self.letters.names_letter(powers)
+        value, speller = self._frozen(value.subs(self.letters.instead), letter)
+        if letter is not None and value.has(letter) and value.is_polynomial(letter):
+            return speller.of(expand(value))
+        written, reasons = list[t.Node](), list[SpellError]()
+        for form in ways(value, self.letters.short):
+            try:
+                written.append(speller.of(form))
+            except SpellError as error:
+                reasons.append(error)
+        if not written:
+            raise reasons[0]
+        return min(written, key=lambda node: (len(names(node) - self.own), sum(1 for _ in node.walk())))
+
+    def _frozen(self, value: Any, letter: Symbol | None) -> tuple[Any, Speller]:
+        """The value with placeholders for its elliptic functions, and a speller that knows them."""
+        known = dict(self.letters.known)
+        functions = [name for name, one in self.scope.by_name.items() if one.kind == "function"]
+        signs, moving = {pm: r"\pm"}, self._moving
+        plain = Speller(known, functions, signs, moving)
+        calls = {call for head in FUNCTIONS for call in value.atoms(head) if len(call.args) > INVARIANTS}
+        for call in sorted(calls, key=str):
+            placeholder = Dummy(call.func.__name__)
+            known[placeholder] = known.get(call) or self._call(call, plain)
+            value = value.subs(call, placeholder)
+        return value, Speller(known, functions, signs, moving, letter)
+
+    def _call(self, call: Any, speller: Speller) -> t.Node:
+        """℘, ζ or σ; without invariants, if it then still has the value."""
+        name, primes = FUNCTIONS[call.func]
+        if name not in self.scope.by_name:
+            raise SpellError(f"there is no letter for the function {name}")
+        arguments = tuple(speller.of(abbreviated(arg, self.letters.short)) for arg in call.args)
+        short = t.Call(name, arguments[:1], primes)
+        if any(found == call for _, found in self.letters.valued([short])):
+            return short
+        return t.Call(name, arguments, primes)
+
+    def _moving(self, name: str) -> bool:
+        return self.scope.by_name[name].callable
