@@ -38,6 +38,8 @@ class Factor:
         if self.core is None:
             raise resolver.error(self.span[0], "a list in brackets is only read as arguments")
         node = self.core
+        if self.declared is not None and self.declared.kind in ("function", "order"):
+            raise resolver.error(self.span[1], f"the function {self.declared.latex} needs an argument in brackets")
         if self.scripts.primes:
             if self.declared is not None and not self.declared.callable:
                 raise resolver.error(self.span[0], f"{self.declared.latex} is a constant; it has no derivative")

@@ -11,6 +11,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import reduce
+from operator import add, or_
 
 from . import tree as t
 from .errors import ReadError
@@ -68,8 +69,13 @@ def _fits_all(node: t.Node) -> bool:
 
 
 def _written(node: t.Node) -> Counter[str]:
-    own = [node.index] if isinstance(node, t.Name | t.Call) and node.index else []
-    return reduce(lambda one, other: one + _written(other), node.parts(), Counter(own))
+    """How often each free index is written in a node; in a sum, in that of its terms where it is written most."""
+    own = Counter([node.index] if isinstance(node, t.Name | t.Call) and node.index else [])
+    parts = [_written(part) for part in node.parts()]
+    found = reduce(or_ if isinstance(node, _ALTERNATIVES) else add, parts, own)
+    if isinstance(node, t.Contraction):
+        del found[node.index]
+    return found
 
 
 def _contracted(node: t.Node, complain: Complain) -> _Read:
