@@ -43,6 +43,7 @@ class Bench:
     def __init__(self, theory: Any, scope: str, given: tuple[t.Statement, ...]) -> None:
         self.theory, self.scope, self.given = theory, scope, given
         self._places: dict[Any, list[list[Place]]] = {}
+        self._of_reading: dict[int, list[Place]] = {}
 
     def counterexample(self, statement: t.Statement) -> Counterexample | None:
         """A point at which the statement fails, or None. ValueError where it has no meaning."""
@@ -72,8 +73,14 @@ class Bench:
         key = (_vocabulary(sides), given)
         if key not in self._places:
             found = readings(self.theory, self.scope, sides, given)
-            self._places[key] = [list(_places(reading)) for reading in found]
+            self._places[key] = [self._in(reading) for reading in found]
         return self._places[key]
+
+    def _in(self, reading: Components) -> list[Place]:
+        """The places of a reading; one that a section gives for several statements keeps its own."""
+        if id(reading) not in self._of_reading:  # its places hold the reading, so that no other has its id
+            self._of_reading[id(reading)] = list(_places(reading))
+        return self._of_reading[id(reading)]
 
     def _at(self, statement: t.Statement, places: list[Place], indices: Indices) -> Counterexample | None:
         done = 0
