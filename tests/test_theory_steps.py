@@ -68,6 +68,7 @@ def test_only_general_facts_do_without_the_energy(claims):
         "frame",
         "placement",
         "kinematics",
+        "constraint",
         "variation",
         "loads",
         "equilibrium",

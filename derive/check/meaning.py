@@ -55,6 +55,10 @@ class Components:
         """The value of a printed tree; MeaningError if it has none here."""
         return to_sympy(node, self, indices)
 
+    def reads(self, left: t.Node, right: t.Node) -> bool:
+        """Is a relation between these sides read here? A reading may be of laws only, or of identities only."""
+        return True
+
     def absent(self, what: object) -> MeaningError:
         """The error for what has no meaning here."""
         return MeaningError(f"{what} has no meaning where the formula is read ({self.title})")

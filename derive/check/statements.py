@@ -102,8 +102,10 @@ def claims_of(
     note = ""
     for n, operator in enumerate(statement.operators):
         left, right = values[n], values[n + 1]
+        if not reading.reads(statement.sides[n], statement.sides[n + 1]):
+            continue
         if operator == "->":
-            limit = limit or _limit(reading, given)
+            limit = limit or limit_of(reading, given)
             variable, point, side = limit
             at_limit = _at(right, limit)
             if at_limit != right:
@@ -111,8 +113,8 @@ def claims_of(
             relation: Any = Limit(left, variable, point, at_limit, side)
             domain = reading.domain
             values[n + 1 :] = [_at(value, limit) for value in values[n + 1 :]]
-        elif operator == "=" and (orders := _orders(statement.sides[n : n + 2], reading, indices)):
-            relation, domain = _order(left, right, reading, min(orders), statement.sides[n + 1]), reading.domain
+        elif operator == "=" and (powers := orders(statement.sides[n : n + 2], reading, indices)):
+            relation, domain = _order(left, right, reading, min(powers), statement.sides[n + 1]), reading.domain
         else:
             relation = _relation(operator, left, right)
             domain = reading.domain if limit is None else _without(reading.domain, limit[0])
@@ -137,7 +139,7 @@ def _relation(operator: str, left: Any, right: Any) -> Equal | Positive:
     raise MeaningError(f"the relation '{operator}' is not judged yet")
 
 
-def _orders(sides: tuple[t.Node, ...], reading: Components, indices: Indices) -> list[int]:
+def orders(sides: tuple[t.Node, ...], reading: Components, indices: Indices) -> list[int]:
     """The powers of the small parameter in the O(εⁿ) of two sides, and the one that the text drops."""
     found = [node for side in sides for node in side.walk() if isinstance(node, t.BigO)]
     if found and reading.small is None:
@@ -163,12 +165,15 @@ def _equality(left: Any, right: Any) -> Equal:
     if vector is not None:
         left, right = (zeros(*vector.shape) if side == 0 else side for side in (left, right))
     gap = left - right
-    if vector is not None or not gap.has(pm):
+    if not gap.has(pm):
         return Equal(left, right)
-    return Equal(gap.subs(pm, 1) * gap.subs(pm, -1), 0)
+    upper, lower = gap.subs(pm, 1), gap.subs(pm, -1)
+    if vector is None:
+        return Equal(upper * lower, 0)
+    return Equal(upper.vec() * lower.vec().T, zeros(len(upper), len(lower)))  # one of the two vanishes
 
 
-def _limit(reading: Components, given: tuple[t.Statement, ...]) -> tuple[Symbol, Any, str]:
+def limit_of(reading: Components, given: tuple[t.Statement, ...]) -> tuple[Symbol, Any, str]:
     """Variable, point and side of the limit that the text assumes; MeaningError if there is none, or two."""
     arrows = [statement for statement in given if statement.operators == ("->",)]
     if len(arrows) != 1 or reading.constant is None or reading.ends is None:

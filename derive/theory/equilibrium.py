@@ -14,11 +14,12 @@ from sympy import Expr, Function, Matrix, Rational, Symbol
 
 from derive.theory import loads
 from derive.theory.claims import Equal, Notebook
+from derive.theory.constraint import FORCE
 from derive.theory.energy import Energy
 from derive.theory.frame import along, frenet, triple
 from derive.theory.letters import EI, GJ, e3, eta_tilde, tau, tau_tilde, unit, vector, w
 from derive.theory.symbols import eta, s
-from derive.theory.variation import DIRECTION, FORCE, Balance, euler
+from derive.theory.variation import DIRECTION, Balance, euler
 
 
 @dataclass(frozen=True)

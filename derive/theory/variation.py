@@ -10,8 +10,9 @@ from dataclasses import dataclass
 
 from sympy import Expr, Matrix, Rational, diag, zeros
 
-from derive.theory import couple
+from derive.theory import constraint, couple
 from derive.theory.claims import Equal, Notebook
+from derive.theory.constraint import FORCE
 from derive.theory.couple import Couple
 from derive.theory.energy import Energy
 from derive.theory.frame import along
@@ -21,7 +22,6 @@ from derive.theory.symbols import s
 STIFFNESS = diag(EI, EI, GJ)  # C in the frame d, for equal principal moments of inertia (kth18)
 TURN = vector_of("delta_q")  # δq, the turn of the frame
 SHIFT = vector_of("delta_u")  # δu, the displacement of the axis, m
-FORCE = vector_of("Phi")  # the multiplier Φ, N
 DIRECTION = vector_of("e")  # the direction of the field
 
 
@@ -70,7 +70,8 @@ def derive(magnetic: Couple, book: Notebook) -> Balance:
     # δψ_m by the chain rule through w = d₃·e, with δd₃ = δq × d₃.
     aligned = DIRECTION.dot(e3)
     delta_magnetic = magnetic.line.psi_m.diff(w).subs(w, aligned) * DIRECTION.dot(TURN.cross(e3))
-    # Φ · δ(u′ − (Q − I) d₃^u): the displacement, and d₃ = Q d₃^u, vary (elmr6).
+    # Φ · δ(u′ − (Q − I) d₃^u): the displacement, and d₃ = Q d₃^u, vary (elmr6, elmr7).
+    constraint.derive(rod.frame, book)
     delta_constraint = FORCE.dot(along(SHIFT, kappa) - TURN.cross(e3))
 
     # Integrate by parts; what multiplies δq and δu must vanish (elmr9).
@@ -142,7 +143,7 @@ def claim_rest(kappa: Matrix, torque: Matrix, delta_magnetic: Expr, delta_constr
         "variation.constraint",
         "the constraint's variation, integrated by parts: both terms inside carry the same sign",
         Equal(delta_constraint, at_ends - (along(FORCE, kappa).dot(SHIFT) + e3.cross(FORCE).dot(TURN))),
-        steps=["frame.derivative"],
+        steps=["constraint.density"],
         source="elmr7",
     )
 
@@ -171,6 +172,14 @@ def claim_balance(balance: Balance, variation: Expr, torque: Matrix, book: Noteb
         Equal(variation, at_ends - balance.moment.dot(TURN) - balance.force.dot(SHIFT)),
         steps=["variation.moments", "variation.forces"],
         source="elmr9",
+    )
+
+    book.claim(
+        "variation.ends",
+        "at an end that is free to turn the moment alone does work, and so it must vanish there",
+        Equal(Matrix([variation.diff(x.diff(s)) for x in TURN]), balance.resultant),
+        steps=["variation.total"],
+        source="exsl1",
     )
 
 

@@ -16,12 +16,13 @@ from sympy import Expr, Integer, Matrix, MatrixBase, Symbol, sqrt, zeros
 from sympy.core.function import AppliedUndef, Derivative
 
 from derive.check.meaning import Components
-from derive.check.sections.moving import elsewhere, extent, kept
+from derive.check.sections.moving import elsewhere, extent
+from derive.check.sections.remembered import remembered
 from derive.check.sections.rod import Rod
 from derive.paper import tree as t
 from derive.paper.symbolic import Indices, to_sympy
 from derive.theory import letters
-from derive.theory.letters import X1, X2, A, e3, eps, eta_tilde, vector_of
+from derive.theory.letters import X1, X2, A, e3, eta_tilde, vector_of
 from derive.theory.symbols import s
 
 FIELD = vector_of("h_a")  # the applied field in the frame d; it does not vary in space
@@ -113,9 +114,13 @@ MagneticRod.values = {
     "volume": lambda r: Symbol("V", positive=True),
 }
 
-rod_of = kept(MagneticRod)
+
+@remembered
+def rod_of(theory: Any) -> MagneticRod:
+    """The reading; its values are computed once."""
+    return MagneticRod(theory.section2.balance)
 
 
 def readings(theory: Any, sides: tuple[t.Node, ...], given: tuple[t.Statement, ...]) -> Iterator[Components]:
     """One: any rod with particles along its fibres."""
-    yield rod_of(theory.section2.balance).to_order(given)
+    yield rod_of(theory).to_order(given)
