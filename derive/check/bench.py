@@ -118,7 +118,8 @@ def _fails(place: Place, operator: str, sides: tuple[t.Node, ...], indices: Indi
         return None
     if operator == "=":
         orders = [node for side in sides for node in side.walk() if isinstance(node, t.BigO)]
-        return _order_fails(place, sides, orders, indices) if orders else _differ(place, sides, indices)
+        compared = orders or place.reading.within is not None
+        return _order_fails(place, sides, orders, indices) if compared else _differ(place, sides, indices)
     return _unordered(place, SIGNS[operator], sides, indices) if operator in SIGNS else None
 
 
@@ -164,7 +165,8 @@ def _order_fails(
         gap, size = _gap(values, sides, indices)
         if gap <= size * mp.mpf(10) ** (-2 * DIGITS):
             return None
-        power = min(_exponent(values, node, indices, step) for node in orders)
+        powers = [_exponent(values, node, indices, step) for node in orders]
+        power = min([*powers, *([] if place.reading.within is None else [place.reading.within])])
         sizes.append(gap)
     measured = mp.log10(sizes[0] / sizes[1]) / (SMALL[1] - SMALL[0])
     if measured >= power - SLACK:

@@ -9,8 +9,10 @@ How a chain of relations is read:
   not vary, so whatever stands right of an arrow is taken *at* the limit: ``ξ_b → ξ_b = 1 + 2β/η`` says that ξ_b tends
   to its value at the limit, and that this value is 1 + 2β/η. The verdict's reason says where this was needed.
 
-An equality that holds is a DEFINITION if it introduces a conventional name: the name alone on its first side, under
-no hypothesis. Everything else that is proved is PROVED. Nothing is looked up: verdicts are computed.
+- ``A = B`` where the text drops what is O(εⁿ): the difference is of that order.
+
+An equality that holds is a DEFINITION if it introduces a name, as the conventions say of the name: alone on the first
+side, under no hypothesis. Everything else that is proved is PROVED. Nothing is looked up: verdicts are computed.
 """
 
 from __future__ import annotations
@@ -27,11 +29,11 @@ from derive.check.readings import readings
 from derive.check.report import RelationVerdict, StatementVerdict, statement_verdict
 from derive.check.verdicts import DEFINITION, PROVED, UNKNOWN, Verdict
 from derive.paper import tree as t
+from derive.paper.conventions import scope as conventions_of
 from derive.paper.ledger import Record
 from derive.paper.symbolic import NONE, Indices
 from derive.theory.claims import Claim, Domain, Equal, Limit, Order, Positive
 
-CONVENTIONAL = {"xi", "b", "c", "varkappa"}  # names that the article chooses; the others are derived in the theory
 Judge = Callable[[Claim], Verdict]
 
 
@@ -46,7 +48,7 @@ def judge_statement(
             found += _of_branch(theory, record, f"{record.id}.{number + 1}", branch, given, decide)
     except ValueError as reason:  # MeaningError, or an expression that SymPy cannot form
         found.append(RelationVerdict("meaning", Verdict(record.id, UNKNOWN, "none", None, str(reason))))
-    defines = not given and _introduces(statement)
+    defines = not given and _introduces(statement, record)
     passed = bool(found) and all(relation.verdict.verdict == PROVED for relation in found)
     latex = record.latex[statement.span[0] : statement.span[1]] if statement.span[1] else ""
     return statement_verdict(latex, found, time.perf_counter() - start, DEFINITION if defines and passed else None)
@@ -66,13 +68,16 @@ def _of_branch(
                 yield RelationVerdict(f"{title} ({where})", decide(claim), note)
 
 
-def _introduces(statement: t.Statement) -> bool:
-    """Is the first side a conventional name, alone (ϰ also at its variable), and every relation an equality?"""
+def _introduces(statement: t.Statement, record: Record) -> bool:
+    """Is the first side a name that this display introduces, alone or at variables, and every relation an equality?"""
     first = statement.sides[0]
-    name = first.name if isinstance(first, t.Name) else ""
-    if isinstance(first, t.Call) and first.name == "varkappa" and isinstance(first.args[0], t.Name):
-        name = first.name
-    return name in CONVENTIONAL and set(statement.operators) == {"="}
+    alone = isinstance(first, t.Name) or (
+        isinstance(first, t.Call) and not first.primes and all(isinstance(arg, t.Name) for arg in first.args)
+    )
+    if not alone or set(statement.operators) != {"="}:
+        return False
+    assert isinstance(first, t.Name | t.Call)
+    return conventions_of(str(record.scope)).declared(first.name, first.index).introduced == record.id
 
 
 def _check_given(reading: Components, given: tuple[t.Statement, ...], decide: Judge) -> None:
@@ -135,21 +140,22 @@ def _relation(operator: str, left: Any, right: Any) -> Equal | Positive:
 
 
 def orders(sides: tuple[t.Node, ...], reading: Components, indices: Indices) -> list[int]:
-    """The powers of the small parameter in the O(εⁿ) of two sides."""
+    """The powers of the small parameter in the O(εⁿ) of two sides, and the one that the text drops."""
     found = [node for side in sides for node in side.walk() if isinstance(node, t.BigO)]
     if found and reading.small is None:
         raise MeaningError(f"O(…) has no meaning where the formula is read ({reading.title})")
-    powers = [reading.of(node.of, indices).as_base_exp() for node in found]
-    if any(base != reading.small or not exponent.is_Integer for base, exponent in powers):
+    factors = [reading.of(node.of, indices).as_coeff_exponent(reading.small) for node in found]
+    if any(coefficient.has(reading.small) or not exponent.is_Integer for coefficient, exponent in factors):
         raise MeaningError(f"an O(…) must hold a power of {reading.small}")
-    return [int(exponent) for _, exponent in powers]
+    dropped = [] if reading.within is None else [reading.within]
+    return [int(exponent) for _, exponent in factors] + dropped
 
 
 def _order(left: Any, right: Any, reading: Components, power: int, side: t.Node) -> Order:
     """left − right = O(εⁿ). A quantity that is only said to be small is squared first, so that roots go."""
     assert reading.small is not None
     if isinstance(side, t.BigO) and not isinstance(left, MatrixBase):
-        return Order(left**2, reading.small, 2 * power)
+        return Order((left**2).expand(), reading.small, 2 * power)
     return Order(left - right, reading.small, power)
 
 
