@@ -6,12 +6,13 @@ clamp, an indefinite integral from anywhere.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from sympy import Expr, Symbol, acosh, asin, log
 
+from derive.check import continuation
 from derive.check import meaning as m
 from derive.check.meaning import Reading
 from derive.paper import tree as t
@@ -29,13 +30,14 @@ class OnRod(Reading):
     """A reading along the rod.
 
     hypotheses: as in Components. start: the moving symbols at the clamp. stretch: in words, on what part of a rod the
-    reading holds. rods: the same reading with u on its place in the plane, one for each case of the start u_o.
+    reading holds. rods: the readings with u in its place in the plane, one for each case of the start u_o.
     accumulated: symbols that the formula needed, and their rates.
     """
 
     hypotheses: tuple[tuple[Expr, Expr], ...] = ()
     start: Mapping[Symbol, Expr] = field(default_factory=dict)
     stretch: str = ""
+    rods: Callable[[], Iterable[OnRod]] = tuple
     accumulated: dict[Symbol, Expr] = field(default_factory=dict, compare=False)
 
     def call(self, name: str, primes: int, args: Sequence[Any]) -> Any:
@@ -107,6 +109,10 @@ class OnRod(Reading):
         if value == m.s:
             return end * (end - self.name("ell"))
         return super().frontier(value, end)
+
+    def condition(self, sides: Sequence[t.Node]) -> str:
+        """Whether logarithms have to be continued along the rod."""
+        return continuation.condition(sides, self.rods())
 
     def sign_note(self, sign: str, title: str) -> str:
         """Of what accumulates, that the sign stands for a stretch of the rod, and for which."""
