@@ -18,6 +18,7 @@ from sympy import (
     Expr,
     Function,
     Matrix,
+    Max,
     Mul,
     Pow,
     Rational,
@@ -36,7 +37,18 @@ from sympy import (
 )
 from sympy.core.function import AppliedUndef
 
-from derive.theory import couple, energy, equilibrium, frame, kinematics, line_energy, particle, variation
+from derive.theory import (
+    couple,
+    energy,
+    equilibrium,
+    frame,
+    kinematics,
+    line_energy,
+    loads,
+    particle,
+    placement,
+    variation,
+)
 from derive.theory.claims import Claim, Equal, Notebook, Order
 from derive.theory.energy import Energy
 from derive.theory.letters import (
@@ -104,6 +116,7 @@ class Point(dict):
 
 
 OPERATIONS = {
+    Max: max,
     Add: lambda *x: mpmath.fsum(x),
     Mul: lambda *x: mpmath.fprod(x),
     Pow: mpmath.power,
@@ -341,12 +354,16 @@ FLIPS = [
     (particle, "along - across,", "along + across,"),
     (particle, "density = -mu0", "density = mu0"),
     (frame, "v.diff(s) + kappa", "v.diff(s) - kappa"),
-    (kinematics, "e3 + along(place", "e3 - along(place"),
+    (frame, "cosine * sine.diff(s) - sine", "cosine * sine.diff(s) + sine"),
+    (placement, "e3 + along(place", "e3 - along(place"),
+    (loads, "elastic + constraint - FORCES", "elastic + constraint + FORCES"),
+    (loads, "- COUPLES.dot(TURN)", "+ COUPLES.dot(TURN)"),
+    (particle, "demagnetizing + shape * m", "demagnetizing - shape * m"),
     (kinematics, "rod.frame.kappa.cross(POINT)", "-rod.frame.kappa.cross(POINT)"),
     (line_energy, "-letter * w", "letter * w"),
     (couple, "return -d3.cross", "return d3.cross"),
     (couple, "couple * (1 + e3", "couple * (1 - e3"),
-    (variation, "zeros(3, 1)) - TURN", "zeros(3, 1)) + TURN"),
+    (variation, "along(SHIFT, kappa) - TURN", "along(SHIFT, kappa) + TURN"),
     (variation, "density.diff(x) - density", "density.diff(x) + density"),
     (equilibrium, "bending + d3.cross", "bending - d3.cross"),
     (equilibrium, "modulus = -energy", "modulus = energy"),
@@ -361,6 +378,8 @@ def derive_one(script: ModuleType, module: ModuleType, book: Notebook) -> None:
         energy: lambda: (module.Energy("mutant", line.energy.density) if script is energy else line.energy,),
         particle: lambda: (),
         frame: lambda: (),
+        placement: lambda: (line.rod.frame,),
+        loads: lambda: (state.balance,),
         kinematics: lambda: (line.rod.frame,),
         line_energy: lambda: (line.energy, line.rod),
         couple: lambda: (line,),
@@ -380,7 +399,7 @@ def test_a_flipped_sign_breaks_a_claim(script, old, new, monkeypatch):
     assert not all(holds(claim) for claim in book.claims.values())
 
 
-@pytest.mark.parametrize("script", [energy, particle, frame, kinematics])
+@pytest.mark.parametrize("script", [energy, particle, frame, placement, kinematics])
 def test_scripts_print_their_derivation(script, capsys):
     script.main()
     assert "[" + script.__name__.rpartition(".")[2] + "." in capsys.readouterr().out

@@ -14,6 +14,8 @@ from derive.theory.claims import Equal, Notebook
 ROOTS = {
     "particle.response": "the laws of the particle's material and shape, from which its energy is made",
     "frame.curvature": "kinematics: defines the curvature vector of a frame",
+    "placement.section": "kinematics: defines the section coordinates of a point",
+    "placement.rotation": "kinematics: defines the rotation from one frame to another",
     "frame.frenet": "kinematics: defines curvature and torsion of a curve",
     "variation.strain_energy": "defines the elastic energy of the rod by its moment",
     "equilibrium.triple": "an identity of any three vectors that a product rule gives",
@@ -64,8 +66,11 @@ def test_only_general_facts_do_without_the_energy(claims):
     assert set(ROOTS) - {"particle.response"} <= general
     assert {one.split(".")[0] for one in general} == {
         "frame",
+        "placement",
         "kinematics",
+        "constraint",
         "variation",
+        "loads",
         "equilibrium",
         "plane",
         "weierstrass",
@@ -96,7 +101,8 @@ def test_names_rest_on_the_claims_that_stand_for_them(claims):
 
 
 def test_sources_are_equations_of_the_article_or_of_dlmf(theory, claims):
-    label = re.compile(r"((exsl(rm)?|exhpf|slch|kth|kthr|elmr)\d+[a-z]*|eqazm|magnha|DLMF [\d.()iv]+)?")
+    named = "campi|eqazm|suscet|magnetiz|demten|magnha"
+    label = re.compile(rf"((exsl(rm)?|exhpf|slch|kth|kthr|elmr)\d+[a-z]*|{named}|DLMF [\d.()iv]+)?")
     assert not [one.source for one in (*claims.values(), *theory.formulas) if not label.fullmatch(one.source)]
     found = {(f.case, f.name): f.source for f in theory.formulas}
     for name, expected in {

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from sympy import MatrixBase
+from sympy import MatrixBase, zeros
 
 from derive.check import refute
 from derive.check.meaning import pm
@@ -31,18 +31,21 @@ def resolved(claims: Sequence[Claim]) -> tuple[list[Claim], int | None]:
     if not signed:
         return list(claims), None
     fitting = [sign for sign in (1, -1) if not any(_fails(_put(claim, sign)) for claim in signed)]
-    if not fitting and len(signed) == 1 and _scalar(signed[0].relation):
-        relation = signed[0].relation
-        gap = relation.lhs - relation.rhs
-        either = replace(signed[0], relation=Equal(gap.subs(pm, 1) * gap.subs(pm, -1), 0))
+    if not fitting and len(signed) == 1 and isinstance(signed[0].relation, Equal):
+        either = replace(signed[0], relation=_either(signed[0].relation))
         if not _fails(either):
             return [either if claim is signed[0] else claim for claim in claims], None
     sign = fitting[0] if fitting else 1
     return [_put(claim, sign) for claim in claims], sign if len(fitting) == 1 else None
 
 
-def _scalar(relation: Any) -> bool:
-    return isinstance(relation, Equal) and not isinstance(relation.lhs, MatrixBase)
+def _either(relation: Equal) -> Equal:
+    """That one of the two signs gives equality, at each point."""
+    gap = relation.lhs - relation.rhs
+    upper, lower = gap.subs(pm, 1), gap.subs(pm, -1)
+    if not isinstance(gap, MatrixBase):
+        return Equal(upper * lower, 0)
+    return Equal(upper.vec() * lower.vec().T, zeros(len(upper), len(lower)))
 
 
 def _put(claim: Claim, sign: int) -> Claim:

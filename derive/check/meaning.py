@@ -40,19 +40,24 @@ class Components:
 
     What a section does not use has no meaning in it: MeaningError. title: in words. domain: where the formula must
     hold. hypotheses: substitutions that hold there, as in ``Claim.given``. small: the parameter of orders of magnitude.
-    constant: what tends to one of its ends, in limits.
+    within: its power that is dropped, where the text drops one. constant: what tends to one of its ends, in limits.
     """
 
     title: str
     domain: Domain
     hypotheses: tuple[tuple[Expr, Expr], ...] = ()
     small: Symbol | None = None
+    within: int | None = None
     constant: Symbol | None = None
     ends: tuple[Expr, Expr] | None = None
 
     def of(self, node: t.Node, indices: Indices = NONE) -> Any:
         """The value of a printed tree; MeaningError if it has none here."""
         return to_sympy(node, self, indices)
+
+    def reads(self, left: t.Node, right: t.Node) -> bool:
+        """Is a relation between these sides read here? A reading may be of laws only, or of identities only."""
+        return True
 
     def absent(self, what: object) -> MeaningError:
         """The error for what has no meaning here."""

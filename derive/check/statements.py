@@ -158,9 +158,11 @@ def _unsigned(
     note = ""
     for n, operator in enumerate(statement.operators):
         left, right, sides = values[n], values[n + 1], statement.sides[n : n + 2]
+        if not reading.reads(*sides):
+            continue
         domain = reading.domain if limit is None else _without(reading.domain, limit[0])
         if operator == "->":
-            limit = limit or _limit(reading, given)
+            limit = limit or limit_of(reading, given)
             variable, point, side = limit
             at_limit = _at(right, limit)
             if at_limit != right:
@@ -192,7 +194,7 @@ def _finite(value: Any) -> Any:
     return value
 
 
-def _limit(reading: Components, given: tuple[t.Statement, ...]) -> tuple[Symbol, Any, str]:
+def limit_of(reading: Components, given: tuple[t.Statement, ...]) -> tuple[Symbol, Any, str]:
     """Variable, point and side of the limit that the text assumes; MeaningError if there is none, or two."""
     arrows = [statement for statement in given if statement.operators == ("->",)]
     if len(arrows) != 1 or reading.constant is None or reading.ends is None:

@@ -1,4 +1,4 @@
-"""Section 2.1, kthr2 to kthr6: the orthonormal frame of a rod, its curvature vector, derivatives along the rod.
+"""Section 2.1, kthr4 to kthr6: the orthonormal frame of a rod, its curvature vector, derivatives along the rod.
 
 The frame (d₁, d₂, d₃), with d₃ the unit tangent, is a rotation R(s) of fixed axes. Later scripts write vectors by their
 components in it, and differentiate them with ``along``. Run ``python -m derive.theory.frame`` to print this part.
@@ -30,6 +30,21 @@ class Frame:
     kappa_of_angles: Matrix
 
 
+@dataclass(frozen=True)
+class Axis:
+    """The curve of a rod's axis, by the curvature vector κ of the rod's frame, in that frame.
+
+    curvature: the geometric curvature k, 1/m. normal, binormal: principal normal and binormal, unit vectors. torsion:
+    1/m. turn: φ′, the rate of the angle φ from the principal normal to d₁, 1/m.
+    """
+
+    curvature: Expr
+    normal: Matrix
+    binormal: Matrix
+    torsion: Expr
+    turn: Expr
+
+
 def along(v: Matrix, kappa: Matrix) -> Matrix:
     """The derivative along the rod of a vector of moving components v: v_s + κ × v, in moving components."""
     return v.diff(s) + kappa.cross(v)
@@ -48,6 +63,17 @@ def curvature(R: Matrix, angles: Matrix) -> Matrix:
     for turn in angles:
         kappa = kappa.subs(sin(turn) ** 2, 1 - cos(turn) ** 2).applyfunc(expand)
     return kappa
+
+
+def axis(kappa: Matrix) -> Axis:
+    """The curve whose tangent is d₃, where it is curved."""
+    slope = along(e3, kappa)
+    k = sqrt(slope.dot(slope))
+    normal, binormal = slope / k, e3.cross(slope) / k
+    # d₁ = cos φ n + sin φ b.
+    cosine, sine = normal.dot(e1), binormal.dot(e1)
+    turn = cosine * sine.diff(s) - sine * cosine.diff(s)
+    return Axis(k, normal, binormal, triple(e3, slope, along(slope, kappa)) / k**2, turn)
 
 
 def derive(book: Notebook) -> Frame:
@@ -77,6 +103,7 @@ def derive(book: Notebook) -> Frame:
     )
     claim_curvature(frame, book)
     claim_torsion(book)
+    claim_axis(axis(frame.kappa), frame.kappa, book)
     return frame
 
 
@@ -131,6 +158,31 @@ def claim_torsion(book: Notebook) -> None:
         Equal(along(d1, turning).dot(d2), torsion + phi.diff(s)),
         steps=["frame.derivative", "frame.frenet"],
         source="kthr6",
+    )
+
+
+def claim_axis(curve: Axis, kappa: Matrix, book: Notebook) -> None:
+    """The same of any rod: the axis by the frame's curvature vector."""
+    book.claim(
+        "frame.serret_frenet",
+        "the binormal turns about the tangent with the torsion",
+        Equal(along(curve.binormal, kappa), -curve.torsion * curve.normal),
+        steps=["frame.derivative", "frame.frenet"],
+        source="kthr6",
+    )
+    book.claim(
+        "frame.torsion",
+        "the twist density is the torsion and the rate of the angle, by the components of the curvature vector",
+        Equal(kappa[2], curve.torsion + curve.turn),
+        steps=["frame.serret_frenet", "frame.binormal"],
+        source="kthr6",
+    )
+    book.claim(
+        "frame.curved",
+        "the curvature times the binormal is the part of the curvature vector across the rod",
+        Equal(curve.curvature * curve.binormal, kappa[0] * e1 + kappa[1] * e2),
+        steps=["frame.binormal", "frame.geometric"],
+        source="kthr5",
     )
 
 

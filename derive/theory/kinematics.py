@@ -1,8 +1,7 @@
-"""Sections 2.1 and 2.2, kthr8 to kth24: the deformation of a rod and the orientation of the particles in it.
+"""Sections 2.1 and 2.2, kthr10 to kth24: the deformation of a rod and the orientation of the particles in it.
 
-All orders of kthr9 come from one parameter: section coordinates are ε X_α, the small displacement is ε² w(X₁, X₂, s),
-curvatures are of order 1. Vectors of the undistorted rod are written in its own frame d^u, those of the deformed rod
-in d, so that Q = d_i ⊗ d_i^u has the components of the identity. Run ``python -m derive.theory.kinematics``.
+Vectors of the undistorted rod are written in its own frame d^u, those of the deformed rod in d, so that
+Q = d_i ⊗ d_i^u has the components of the identity. Run ``python -m derive.theory.kinematics``.
 """
 
 from __future__ import annotations
@@ -12,13 +11,11 @@ from dataclasses import dataclass
 from sympy import Expr, Matrix, cancel, eye, sqrt
 
 from derive.theory import frame as frame_script
+from derive.theory import placement
 from derive.theory.claims import Equal, Notebook, Order
-from derive.theory.frame import Frame, along
-from derive.theory.letters import X1, X2, e1, e2, e3, eps, vector_of
-from derive.theory.symbols import s
-
-POINT = eps * (X1 * e1 + X2 * e2)  # a point of a cross section, from its centroid
-DISPLACEMENT = eps**2 * vector_of("w", X1, X2, s)  # what deforms the sections, of the order that kthr9 allows
+from derive.theory.frame import Frame
+from derive.theory.letters import X1, X2, e1, e2, e3, eps, vector
+from derive.theory.placement import DEFORMED, DISPLACEMENT, KAPPA_U, POINT, tangents
 
 
 @dataclass(frozen=True)
@@ -26,8 +23,8 @@ class Kinematics:
     """The deformed rod, its small quantities of order ε kept in full.
 
     kappa_u: curvature of the undistorted rod, 1/m. mu: measure of deformation κ − Qκ^u, 1/m. tangents_u, dual_u: g_k
-    and g^k as columns. tangents: ∂x̂/∂X_α and ∂x̂/∂s as columns. gradient: F, 3 × 3, in d ⊗ d^u. fibre: the
-    orientation a of the particles, in d. jacobian: J.
+    and g^k as columns. tangents: ∂x̂/∂X_α and ∂x̂/∂s as columns. gradient: F, 3 × 3, in d ⊗ d^u. fibre_u, fibre: the
+    orientations a^u and a of the particles, in d^u and in d. jacobian: J.
     """
 
     frame: Frame
@@ -37,22 +34,17 @@ class Kinematics:
     dual_u: Matrix
     tangents: Matrix
     gradient: Matrix
+    fibre_u: Matrix
     fibre: Matrix
     jacobian: Expr
 
 
-def tangents(place: Matrix, kappa: Matrix) -> Matrix:
-    """Derivatives of axis + place by the section coordinates ε X₁, ε X₂ and by s, as columns (kthr10)."""
-    # The axis is inextensible: its own derivative is d₃.
-    return Matrix.hstack(place.diff(X1) / eps, place.diff(X2) / eps, e3 + along(place, kappa)).expand()
-
-
 def derive(frame: Frame, book: Notebook) -> Kinematics:
     """Bases, deformation gradient, orientation of the particles, with their claims."""
-    kappa_u = vector_of("kappa_u")
+    kappa_u = KAPPA_U
     # The undistorted rod and the deformed one, which is bent by κ and displaced by a little more (kthr1, kthr8).
     tangents_u = tangents(POINT, kappa_u)
-    deformed = tangents(POINT + DISPLACEMENT, frame.kappa)
+    deformed = tangents(DEFORMED, frame.kappa)
     dual_u = tangents_u.inv().T.applyfunc(cancel)
     gradient = deformed * dual_u.T
     jacobian = tangents_u.det()
@@ -62,13 +54,13 @@ def derive(frame: Frame, book: Notebook) -> Kinematics:
 
     # κ − Qκ^u, where Qκ^u has on d the components that κ^u has on d^u.
     mu = frame.kappa - kappa_u
-    rod = Kinematics(frame, kappa_u, mu, tangents_u, dual_u, deformed, gradient, fibre, jacobian)
+    rod = Kinematics(frame, kappa_u, mu, tangents_u, dual_u, deformed, gradient, fibre_u, fibre, jacobian)
     book.say("The rod before and after, and the gradient of its deformation.")
     book.show("g_3, in the undistorted frame", tangents_u[:, 2])
     book.show("J", jacobian)
     claim_bases(rod, book)
     claim_gradient(rod, book)
-    claim_fibre(rod, fibre_u, book)
+    claim_fibre(rod, book)
     return rod
 
 
@@ -80,7 +72,7 @@ def claim_bases(rod: Kinematics, book: Notebook) -> None:
         "kinematics.covariant",
         "the covariant basis is the frame, its last vector turned by the curvature",
         Equal(rod.tangents_u, Matrix.hstack(e1, e2, e3 + twist)),
-        steps=["frame.derivative"],
+        steps=["frame.derivative", "placement.section"],
         source="kthr10",
     )
     book.claim(
@@ -111,7 +103,7 @@ def claim_gradient(rod: Kinematics, book: Notebook) -> None:
         "kinematics.pushes",
         "the deformation gradient takes the basis before the deformation to the one after it",
         Equal(rod.gradient * rod.tangents_u, rod.tangents),
-        steps=["kinematics.dual"],
+        steps=["kinematics.dual", "placement.deformed"],
         source="kthr12",
     )
     slopes = [DISPLACEMENT.diff(X) / eps for X in (X1, X2)]
@@ -120,18 +112,18 @@ def claim_gradient(rod: Kinematics, book: Notebook) -> None:
         "kinematics.gradient",
         "to first order the deformation gradient is the rotation, the bending and the small displacement's slope",
         Order(rod.gradient - (eye(3) + small), eps, 2),
-        steps=["kinematics.pushes"],
+        steps=["kinematics.pushes", "placement.displacement", "placement.rotation", "placement.measure"],
         source="kthr13",
     )
 
 
-def claim_fibre(rod: Kinematics, fibre_u: Matrix, book: Notebook) -> None:
+def claim_fibre(rod: Kinematics, book: Notebook) -> None:
     """The orientation of the particles by its definition, and to first order."""
-    g3 = rod.tangents_u[:, 2]
+    g3, moved = rod.tangents_u[:, 2], rod.tangents[:, 2]
     book.claim(
         "kinematics.fibre",
         "particles along the fibres before the deformation lie along them after it",
-        Equal(rod.gradient * fibre_u * sqrt(g3.dot(g3)), rod.fibre * sqrt(rod.tangents[:, 2].dot(rod.tangents[:, 2]))),
+        Equal(rod.gradient * rod.fibre_u * sqrt(g3.dot(g3)), rod.fibre * sqrt(moved.dot(moved))),
         steps=["kinematics.pushes"],
     )
     # A fibre turns with the section, but its length does not count: drop the part along d₃.
@@ -151,12 +143,22 @@ def claim_fibre(rod: Kinematics, fibre_u: Matrix, book: Notebook) -> None:
         steps=["kinematics.fibre"],
         source="kth21",
     )
+    h = vector("h")
+    book.claim(
+        "kinematics.reach",
+        "to first order the part of a field along a fibre grows by the fibre's turn towards the field",
+        Order(h.dot(stretch) ** 2 - (h[2] ** 2 + 2 * h.dot(turn) * h[2]), eps, 2),
+        steps=["kinematics.fibre"],
+        source="kth22",
+    )
 
 
 def main() -> None:
     """Print the derivation so far."""
     book = Notebook()
-    derive(frame_script.derive(book), book)
+    frame = frame_script.derive(book)
+    placement.derive(frame, book)
+    derive(frame, book)
     print(*book.text(), sep="\n")
 
 

@@ -11,10 +11,10 @@ from dataclasses import dataclass
 from sympy import Expr, Matrix, Poly, Rational, Symbol, cos, integrate, simplify, sin, sqrt
 
 from derive.theory import energy as energy_script
-from derive.theory import frame, kinematics, particle
+from derive.theory import frame, kinematics, particle, placement
 from derive.theory.claims import Equal, Notebook, Order
 from derive.theory.energy import Energy
-from derive.theory.kinematics import POINT, Kinematics
+from derive.theory.kinematics import Kinematics
 from derive.theory.letters import (
     SI,
     X1,
@@ -36,6 +36,7 @@ from derive.theory.letters import (
     vector,
     w,
 )
+from derive.theory.placement import POINT
 
 FIELD = vector("h")  # the applied field, A/m; in this script and the next in the frame d
 MODULI = {1: tau_tilde, 2: eta_tilde}  # letters for the terms −(letter) wⁿ/n of the energy
@@ -214,7 +215,9 @@ def chain(book: Notebook, energy: Energy | None = None) -> LineEnergy:
     # An energy that is given is where the derivation begins.
     made_of = () if energy else ("particle.energy",)
     energy = energy_script.derive(energy or particle.derive(book).energy, book, made_of)
-    return derive(energy, kinematics.derive(frame.derive(book), book), book)
+    before = frame.derive(book)
+    placement.derive(before, book)
+    return derive(energy, kinematics.derive(before, book), book)
 
 
 def main() -> None:

@@ -41,11 +41,28 @@ class Particle:
 
     susceptibilities: χ and χ̃ in the susceptibilities χ∥, χ⊥ of the material and the demagnetizing factors N∥, N⊥.
     magnetization: m(H, DIRECTION) in χ, χ̃, A/m, shape 3 × 1. energy: the energy of ν such particles per unit volume.
+    fields: what the particle's laws give in its own axes.
     """
 
     susceptibilities: Mapping[Symbol, Expr]
     magnetization: Matrix
     energy: Energy
+    fields: Fields
+
+
+@dataclass(frozen=True)
+class Fields:
+    """What the laws give for the applied field H, in the particle's own axes, the third along a.
+
+    material, shape: tensors of susceptibility and demagnetization, 3 × 3. inside, demagnetizing, magnetization: the
+    field in the particle, the one that its magnetization makes, and this magnetization, A/m, 3 × 1.
+    """
+
+    material: Matrix
+    shape: Matrix
+    inside: Matrix
+    demagnetizing: Matrix
+    magnetization: Matrix
 
 
 def symmetric(along: Expr, across: Expr, a: Matrix) -> Matrix:
@@ -53,14 +70,19 @@ def symmetric(along: Expr, across: Expr, a: Matrix) -> Matrix:
     return along * a * a.T + across * (eye(3) - a * a.T)
 
 
-def susceptibilities() -> dict[Symbol, Expr]:
-    """χ and χ̃, by solving for the fields in the particle's own axes, the third along a."""
+def fields() -> Fields:
+    """The fields in the particle's own axes, from its laws."""
     material, shape = diag(chi_perp, chi_perp, chi_par), diag(N_perp, N_perp, N_par)
     inside, demagnetizing, m = vector("inside"), vector("demagnetizing"), vector("m")
     # The total field, the material's law and the demagnetizing field: nine linear equations (campi, eqazm, magnetiz).
     equations = [inside - (H + demagnetizing), m - material * inside, demagnetizing + shape * m]
     solution = solve([x for equation in equations for x in equation], [*inside, *demagnetizing, *m], dict=True)[0]
-    along, across = (solution[m[i]].diff(H[i]) for i in (2, 0))
+    return Fields(material, shape, *(unknown.subs(solution) for unknown in (inside, demagnetizing, m)))
+
+
+def susceptibilities(found: Fields) -> dict[Symbol, Expr]:
+    """χ and χ̃, by the magnetization along the particle and across it."""
+    along, across = (found.magnetization[i].diff(H[i]) for i in (2, 0))
     # m = along · (part of h along a) + across · (the rest), sorted by a and h.
     return {chi: along - across, chi_tilde: across}
 
@@ -86,12 +108,14 @@ def permanent_energy() -> Energy:
 
 def derive(book: Notebook) -> Particle:
     """Magnetization and energy of paramagnetic particles, with their claims."""
-    values = susceptibilities()
+    found = fields()
+    values = susceptibilities(found)
     book.say("Susceptibilities of a prolate particle to the applied field, from the fields in its own axes.")
     book.show("chi", factor(values[chi]))
     book.show("chi_tilde", factor(values[chi_tilde]))
     magnetization = chi * H.dot(DIRECTION) * DIRECTION + chi_tilde * H
     claim_magnetization(magnetization.xreplace(values), book)
+    claim_fields(found, magnetization.xreplace(values), book)
     # A long particle, N⊥ − N∥ > 0, of a material that is not easier to magnetize across, χ∥ − χ⊥ > 0.
     longer, easier = Symbol("N_excess", positive=True), Symbol("chi_excess", positive=True)
     book.claim(
@@ -125,7 +149,7 @@ def derive(book: Notebook) -> Particle:
         Equal(energy.density(turn * H, turn * a), energy.density(H, a)),
         steps=["particle.energy"],
     )
-    return Particle(values, magnetization, energy)
+    return Particle(values, magnetization, energy, found)
 
 
 def claim_magnetization(m: Matrix, book: Notebook) -> None:
@@ -144,6 +168,45 @@ def claim_magnetization(m: Matrix, book: Notebook) -> None:
         Equal(symmetric(1 / chi_par + N_par, 1 / chi_perp + N_perp, a) * m, H),
         steps=["particle.response"],
         source="magnha",
+    )
+
+
+def claim_fields(found: Fields, m: Matrix, book: Notebook) -> None:
+    """The fields and tensors in the particle's axes are those for any direction, with a along the third axis."""
+    own = dict(zip(DIRECTION, e3, strict=True))
+    m = m.xreplace(own)
+    book.claim(
+        "particle.axes",
+        "along the particle and across it, the magnetization is that of any direction",
+        Equal(found.magnetization, m),
+        steps=["particle.response"],
+        source="elmr11",
+    )
+    # Along its axis and across it: what is made of the vectors of the axes.
+    for name, label, tensor, along, across in (
+        ("material", "suscet", found.material, chi_par, chi_perp),
+        ("shape", "demten", found.shape, N_par, N_perp),
+    ):
+        book.claim(
+            f"particle.{name}",
+            f"the tensor of the {name} has one value along the particle and one across it",
+            Equal(tensor, symmetric(along, across, Matrix(e3))),
+            steps=["particle.response"],
+            source=label,
+        )
+    book.claim(
+        "particle.inside",
+        "the field inside is the applied one and the one that the magnetization makes",
+        Equal(found.inside, H + found.demagnetizing),
+        steps=["particle.axes"],
+        source="campi",
+    )
+    book.claim(
+        "particle.demagnetizing",
+        "the magnetization makes a field against itself, by the factors of the particle's shape",
+        Equal(found.demagnetizing, -symmetric(N_par, N_perp, Matrix(e3)) * m),
+        steps=["particle.axes", "particle.shape"],
+        source="magnetiz",
     )
 
 

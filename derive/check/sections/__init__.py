@@ -11,8 +11,14 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from derive.check.meaning import Components
+from derive.check.sections import cantilever, couple, planarity, variation
 from derive.paper import tree as t
 
 Readings = Callable[[Any, tuple[t.Node, ...], tuple[t.Statement, ...]], Iterator[Components]]
 
-BY_SCOPE: dict[str, Readings] = {}
+BY_SCOPE: dict[str, Readings] = {
+    "variation": variation.readings,
+    "couple": couple.readings,
+    "cantilever": cantilever.readings,
+    "planarity": planarity.readings,
+}
