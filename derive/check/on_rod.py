@@ -77,7 +77,16 @@ class OnRod(Reading):
         """of with the value in the place of the variable."""
         if node.variable is None:
             raise self.absent("a value at a point of nothing")
+        if node.variable == t.Name("u") and isinstance(node.of, t.Call) and node.of.args == (node.variable,):
+            return self._of_u(node.of.name, self.of(node.value, indices))
         return self.of(replaced(node.of, node.variable, node.value), indices)
+
+    def _of_u(self, name: str, point: Expr) -> Expr:
+        """ξ or ϰ as a function of u."""
+        if name not in ("xi", "varkappa") or self.solution is None or self.invariants is None:
+            raise self.absent(f"'{name}' as a function of u")
+        value = fn.wp(point, *self.invariants)
+        return self.solution(value) if name == "xi" else value
 
     def between(self, node: t.Between, indices: Indices) -> Any:
         """The difference of the values at the limits."""
@@ -104,8 +113,9 @@ class OnRod(Reading):
 
     def frontier(self, value: Any, end: Any) -> Any:
         """Of ξ: f, which is ≥ 0 on the rod and ends in its roots. Of s: what vanishes at the ends of the rod."""
-        if value == self.name("xi") and "f" in self.polynomials:
-            return self.polynomials["f"].subs(xi, end)
+        for sign in (1, -1):
+            if value == sign * self.name("xi") and "f" in self.polynomials:
+                return self.polynomials["f"].subs(xi, sign * end)
         if value == m.s:
             return end * (end - self.name("ell"))
         return super().frontier(value, end)
