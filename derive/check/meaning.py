@@ -119,6 +119,10 @@ class Components:
         """What is to be said of ± where only one sign will do."""
         return ""
 
+    def condition(self, sides: Sequence[t.Node]) -> str:
+        """Under what condition, that is not printed, a relation of these sides holds that is proved here."""
+        return ""
+
     def norm(self, of: Any) -> Any:
         """The root of the square."""
         return sqrt(of.dot(of)) if isinstance(of, MatrixBase) else Abs(of)

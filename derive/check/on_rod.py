@@ -6,12 +6,13 @@ clamp, an indefinite integral from anywhere.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from sympy import Expr, Symbol, acosh, asin, log
 
+from derive.check import continuation
 from derive.check import meaning as m
 from derive.check.meaning import Reading
 from derive.paper import tree as t
@@ -29,13 +30,14 @@ class OnRod(Reading):
     """A reading along the rod.
 
     hypotheses: as in Components. start: the moving symbols at the clamp. stretch: in words, on what part of a rod the
-    reading holds. rods: the same reading with u on its place in the plane, one for each case of the start u_o.
+    reading holds. rods: the readings with u in its place in the plane, one for each case of the start u_o.
     accumulated: symbols that the formula needed, and their rates.
     """
 
     hypotheses: tuple[tuple[Expr, Expr], ...] = ()
     start: Mapping[Symbol, Expr] = field(default_factory=dict)
     stretch: str = ""
+    rods: Callable[[], Iterable[OnRod]] = tuple
     accumulated: dict[Symbol, Expr] = field(default_factory=dict, compare=False)
 
     def call(self, name: str, primes: int, args: Sequence[Any]) -> Any:
@@ -75,7 +77,16 @@ class OnRod(Reading):
         """of with the value in the place of the variable."""
         if node.variable is None:
             raise self.absent("a value at a point of nothing")
+        if node.variable == t.Name("u") and isinstance(node.of, t.Call) and node.of.args == (node.variable,):
+            return self._of_u(node.of.name, self.of(node.value, indices))
         return self.of(replaced(node.of, node.variable, node.value), indices)
+
+    def _of_u(self, name: str, point: Expr) -> Expr:
+        """ξ or ϰ as a function of u."""
+        if name not in ("xi", "varkappa") or self.solution is None or self.invariants is None:
+            raise self.absent(f"'{name}' as a function of u")
+        value = fn.wp(point, *self.invariants)
+        return self.solution(value) if name == "xi" else value
 
     def between(self, node: t.Between, indices: Indices) -> Any:
         """The difference of the values at the limits."""
@@ -102,11 +113,16 @@ class OnRod(Reading):
 
     def frontier(self, value: Any, end: Any) -> Any:
         """Of ξ: f, which is ≥ 0 on the rod and ends in its roots. Of s: what vanishes at the ends of the rod."""
-        if value == self.name("xi") and "f" in self.polynomials:
-            return self.polynomials["f"].subs(xi, end)
+        for sign in (1, -1):
+            if value == sign * self.name("xi") and "f" in self.polynomials:
+                return self.polynomials["f"].subs(xi, sign * end)
         if value == m.s:
             return end * (end - self.name("ell"))
         return super().frontier(value, end)
+
+    def condition(self, sides: Sequence[t.Node]) -> str:
+        """Whether logarithms have to be continued along the rod."""
+        return continuation.condition(sides, self.rods())
 
     def sign_note(self, sign: str, title: str) -> str:
         """Of what accumulates, that the sign stands for a stretch of the rod, and for which."""

@@ -21,7 +21,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from sympy import Symbol, nan, oo, zoo
@@ -93,8 +93,14 @@ def _of_branch(
         for indices in index_values(branch.statement):
             parts = [branch.title, reading.title, *(f"{letter} = {value}" for letter, value in indices.items())]
             where = ", ".join(part for part in parts if part)
-            for title, claim, note in claims_of(branch.statement, reading, whole, stem, indices):
-                yield RelationVerdict(f"{title} ({where})", decide(claim), note)
+            made = [
+                RelationVerdict(f"{title} ({where})", decide(claim), note)
+                for title, claim, note in claims_of(branch.statement, reading, whole, stem, indices)
+            ]
+            if all(one.verdict.verdict == PROVED for one in made):
+                condition = reading.condition(branch.statement.sides)
+                made[-1] = replace(made[-1], note="; ".join(filter(None, (made[-1].note, condition))))
+            yield from made
 
 
 def said_of(statement: t.Statement) -> tuple[t.Node, ...]:

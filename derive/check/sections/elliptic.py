@@ -69,6 +69,7 @@ def on_line(case: LoadCase, functions: Weierstrass, at: Expansion, title: str) -
         solution=solution(functions, at),
         hypotheses=_at_pole(case, functions, at),
         start={Y: Integer(0), Z: Integer(0), m.s: Integer(0)},
+        rods=lambda: on_rods(case, functions),
     )
     return _moving(reading, here)
 
