@@ -144,10 +144,11 @@ def show_mutants(
     """What became of the mutants, by kind of change; survivors one by one."""
     table = Table(show_edge=False)
     table.add_column("kind of mutation")
-    for fate in ("killed", "equivalent", "surviving"):
+    columns = list(dict.fromkeys(fate for fates in kinds.values() for fate in fates))
+    for fate in columns:
         table.add_column(fate, justify="right")
     for kind, fates in kinds.items():
-        table.add_row(escape(kind), *(str(fates.get(fate, 0)) for fate in ("killed", "equivalent", "surviving")))
+        table.add_row(escape(kind), *(str(fates.get(fate, 0)) for fate in columns))
     console.print(table)
     for one in survivors:
         console.print(f"[bold red]surviving[/] {one['id']}: {escape(one['mutant'])} ({one['verdict']})", soft_wrap=True)

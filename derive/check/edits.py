@@ -1,48 +1,99 @@
-"""Small edits of a printed formula that may undo a misprint; nothing here knows what this article misprints."""
+"""Small edits of a printed formula that may undo a misprint; nothing here knows what this article misprints.
+
+The order in which edits are tried: by kind, the likeliest misprints first; of a kind, exchanged symbols by their
+likeness; then those that give a part as the article prints it elsewhere; then those of other sides than the first,
+which names what is said to equal the others; then in printed order. Exchanged operands of × come even before signs if
+the article prints the exchanged product elsewhere, and the present one nowhere: −a × b and b × a say the same.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cache
+from itertools import chain
 
-from derive.check.misprints import own_changes, turned, variants
+from derive.check.changes import Path, at, exchanges, own_changes, positions, put, turned
+from derive.check.misprints import relations, with_side
 from derive.paper import tree as t
 from derive.paper.conventions import Declared, Scope
 from derive.paper.conventions import scope as conventions_of
+from derive.paper.errors import ReadError
+from derive.paper.ledger import load_ledger
+from derive.paper.reader import parse
 
-# From the likeliest misprint on; edits of a kind stand in printed order.
+# From the likeliest misprint on.
 KINDS = (
-    "sign", "argument", "prime", "symbol", "number", "relation", "power", "root", "operands", "factor", "term",
-    "either sign", "missing factor", "missing term",
+    "order of factors", "sign", "argument", "bar", "prime", "index", "symbol", "number", "relation", "power", "root",
+    "operands", "transpose", "inverse", "variation", "bounds", "rows", "cases", "factor", "term", "either sign",
+    "missing factor", "missing term", "order",
 )  # fmt: skip
-FACTORS = ("beta", "eta", "gamma", "xi")  # letters that may be missing as factors or terms
 NUMBERS = tuple(map(t.Number, (2, 3, 4)))  # that may be missing as factors
-TWICE = NUMBERS[0]
+ZERO, TWICE = t.Number(0), NUMBERS[0]
+LINEAR = (t.Product, t.Dot, t.Cross, t.Outer, t.Apply, t.Compose, t.Norm)  # a factor of a part is one of the whole
 
 
-def edits(statement: t.Statement, scope: str) -> list[tuple[str, t.Statement]]:
-    """All statements that one edit makes of this one, likeliest first, without repetition and without tautologies.
+@dataclass(frozen=True)
+class Edit:
+    """A new node for an old one at a place of a side, or other relations (side −1); kind: what was changed."""
 
-    The first side names what is said to equal the others, so that an edit of the others comes before one of it.
-    """
-    letters = conventions_of(scope)
-    found: dict[t.Statement, str] = {}
-    for kind, edited in (*variants(statement, lambda node: _own(node, letters)), *_either_sign(statement)):
+    kind: str
+    side: int
+    path: Path
+    old: t.Node
+    new: t.Node
+    likeness: int = 0
+    operators: tuple[str, ...] = ()
+
+    def of(self, statement: t.Statement) -> t.Statement:
+        """The edited statement; what was edited before within the old node is edited in the new one."""
+        if self.operators:
+            return replace(statement, operators=self.operators)
+        side = statement.sides[self.side]
+        new = _transplanted(self.old, at(side, self.path), self.new)
+        return with_side(statement, self.side, put(side, self.path, new))
+
+
+def _transplanted(old: t.Node, now: t.Node, new: t.Node) -> t.Node:
+    """``new`` was made of ``old``, which has become ``now`` by a change in one place: make that change in ``new``."""
+    if old == now:
+        return new
+    if len(old.parts()) == len(now.parts()) and type(old) is type(now):
+        differing = [(a, b) for a, b in zip(old.parts(), now.parts(), strict=True) if a != b]
+        if len(differing) == 1:
+            before, after = differing[0]
+            place = next((path for path, node in positions(new) if node == before), None)
+            return _transplanted(before, after, new) if place is None else put(new, place, after)
+    return new
+
+
+def edits(statement: t.Statement, scope: str, sides: set[int] | None = None) -> list[Edit]:
+    """The edits of the sides (of all, if None), likeliest first, without repetition and without tautologies."""
+    found: dict[t.Statement, Edit] = {}
+    chosen = sides if sides is not None else range(len(statement.sides))
+    turned_ = (Edit("relation", -1, (), ZERO, ZERO, 0, operators) for operators in relations(statement))
+    for edit in chain(turned_, *(_of_side(statement, n, scope) for n in chosen)):
+        edited = edit.of(statement)
         if edited != statement and not _empty(edited):
-            found.setdefault(edited, kind)
-    first = statement.sides[0]
-    return sorted(
-        ((kind, edited) for edited, kind in found.items()),
-        key=lambda pair: (KINDS.index(pair[0]), pair[1].sides[0] != first),
-    )
+            found.setdefault(edited, edit)
+    return sorted(found.values(), key=_rank)
 
 
-def _either_sign(statement: t.Statement) -> Iterator[tuple[str, t.Statement]]:
-    sides = statement.sides
-    for n, side in reversed(list(enumerate(sides))):  # a chain runs from what is named to what it comes to
-        if n and side.type == t.SCALAR and not isinstance(side, t.Signed | t.Sum) and side != t.Number(0):
-            new = (*sides[:n], t.Signed(r"\pm", side), *sides[n + 1 :])
-            yield "either sign", replace(statement, sides=new)
+def _rank(edit: Edit) -> tuple[int, ...]:
+    return KINDS.index(edit.kind), edit.likeness, edit.new not in printed_parts(), edit.side == 0
+
+
+@cache
+def printed_parts() -> frozenset[t.Node]:
+    """Everything that the ledger prints, down to single symbols."""
+    found: set[t.Node] = set()
+    for record in load_ledger().values():
+        try:
+            statements = parse(record.latex, str(record.scope)) if record.scope else []
+        except ReadError:
+            continue
+        found |= {node for statement in statements for side in statement.sides for node in side.walk()}
+    return frozenset(found)
 
 
 def _empty(statement: t.Statement) -> bool:
@@ -56,8 +107,36 @@ def _empty(statement: t.Statement) -> bool:
     return False
 
 
-def _own(node: t.Node, letters: Scope) -> Iterator[tuple[str, t.Node]]:
-    yield from own_changes(node, set(letters.by_name))
+def _of_side(statement: t.Statement, n: int, scope: str) -> Iterator[Edit]:
+    side = statement.sides[n]
+    above: dict[Path, t.Node] = {}
+    for path, node in positions(side):
+        above[path] = node
+        for kind, new in own_changes(node, scope):
+            yield Edit(_kind(kind, node, new), n, path, node, new)
+        for likeness, (kind, new) in enumerate(exchanges(node, scope)):
+            yield Edit(kind, n, path, node, new, likeness)
+        longer = () if path and isinstance(above[path[:-1]], LINEAR) else _longer(node, scope)
+        for kind, new in (*_restored(node, conventions_of(scope)), *longer):
+            yield Edit(kind, n, path, node, new)
+    plain = side.type in (t.SCALAR, t.VECTOR, t.TENSOR) and not isinstance(side, t.Signed)
+    if plain and side != ZERO:
+        yield Edit("sign", n, (), side, t.Signed("-", side))
+        if n and side.type == t.SCALAR and not isinstance(side, t.Sum):
+            yield Edit("either sign", n, (), side, t.Signed(r"\pm", side))
+
+
+def _kind(kind: str, node: t.Node, new: t.Node) -> str:
+    """Exchanged operands are likeliest where the article prints the product only the other way round."""
+    if kind == "operands" and isinstance(node, t.Cross | t.Outer | t.Compose):
+        elsewhere = printed_parts()
+        if new in elsewhere and node not in elsewhere:
+            return "order of factors"
+    return kind
+
+
+def _restored(node: t.Node, letters: Scope) -> Iterator[tuple[str, t.Node]]:
+    """Arguments and squares that may have been left out, and other numbers."""
     match node:
         case t.Name():
             yield from _of_name(node, letters)
@@ -65,24 +144,13 @@ def _own(node: t.Node, letters: Scope) -> Iterator[tuple[str, t.Node]]:
             yield from _of_call(node, letters)
         case t.Number(value=value):
             yield from (("number", t.Number(new)) for new in (value - 1, 2 * value, value // 2) if 0 < new != value)
-        case t.Primed(of=of, order=order):
-            yield "prime", t.Primed(of, order + 1)
-        case t.Quotient(above=above, below=below) if above.type == t.SCALAR:
-            yield "operands", t.Quotient(below, above)
-        case t.Cross(left=left, right=right):
-            yield "operands", t.Cross(right, left)
-    if node.type == t.SCALAR and not isinstance(node, t.Signed | t.Number):
-        yield from _longer(node, letters)
 
 
 def _of_name(node: t.Name, letters: Scope) -> Iterator[tuple[str, t.Node]]:
     mine = letters.by_name[node.name]
-    for other in letters.by_name.values():
-        if other.kind == mine.kind and other.name != mine.name and other.kind != "function":
-            yield "symbol", replace(node, name=other.name)
     if mine.argument:
-        yield from (("argument", t.Call(node.name, (arc,), 0, node.kind)) for arc in _arcs(mine, letters))
-        yield "prime", t.Primed(node, 1)
+        for arc in _arcs(mine, letters):
+            yield "argument", t.Call(node.name, (arc,), 0, node.kind, node.index)
     if node.type == t.SCALAR:
         yield "power", t.Power(node, TWICE)
 
@@ -90,14 +158,10 @@ def _of_name(node: t.Name, letters: Scope) -> Iterator[tuple[str, t.Node]]:
 def _of_call(node: t.Call, letters: Scope) -> Iterator[tuple[str, t.Node]]:
     mine = letters.by_name[node.name]
     if mine.argument:
-        yield "argument", t.Name(node.name, node.kind)
+        yield "argument", t.Name(node.name, node.kind, node.index)
         yield from (("argument", replace(node, args=(arc,))) for arc in _arcs(mine, letters))
-    for other in letters.by_name.values():
-        if other.kind == mine.kind == "function" and other.arity == mine.arity and other.name != mine.name:
-            yield "symbol", replace(node, name=other.name)
-    if mine.kind == "function" and not mine.prefix:
-        yield "prime", replace(node, primes=node.primes + 1)
-    yield "power", t.Power(node, TWICE)
+    if node.type == t.SCALAR:
+        yield "power", t.Power(node, TWICE)
 
 
 def _arcs(mine: Declared, letters: Scope) -> Iterator[t.Node]:
@@ -107,15 +171,30 @@ def _arcs(mine: Declared, letters: Scope) -> Iterator[t.Node]:
             yield t.Name(other.name, other.kind)
 
 
-def _longer(node: t.Node, letters: Scope) -> Iterator[tuple[str, t.Node]]:
+def _longer(node: t.Node, scope: str) -> Iterator[tuple[str, t.Node]]:
     """A factor or a term more."""
-    names = [t.Name(name) for name in FACTORS if name in letters.by_name]
+    if node.type not in (t.SCALAR, t.VECTOR, t.TENSOR) or isinstance(node, t.Signed | t.Number | t.BigO):
+        return
+    names = constants(scope)
+    yield from (("missing factor", _times(factor, node)) for factor in (*NUMBERS, *names))
+    yield from (("missing factor", t.Quotient(node, number)) for number in NUMBERS)
+    if isinstance(node, t.Sum) and node.type == t.SCALAR:
+        for term in (t.Number(1), *names, *(t.Product((TWICE, name)) for name in names)):
+            yield from (("missing term", t.Sum((*node.terms, signed))) for signed in (term, turned(term)))
+
+
+def _times(factor: t.Node, node: t.Node) -> t.Node:
+    """The product; of numbers there is one, and it stands first."""
     factors = node.factors if isinstance(node, t.Product) else (node,)
     if not isinstance(factors[0], t.Number):
-        yield from (("missing factor", t.Product((number, *factors))) for number in NUMBERS)
-    yield from (("missing factor", t.Quotient(node, number)) for number in NUMBERS)
-    yield from (("missing factor", t.Product((*factors[:-1], name, factors[-1]))) for name in names)
-    if isinstance(node, t.Sum):
-        for term in (t.Number(1), *names, *(t.Product((TWICE, name)) for name in names)):
-            yield "missing term", t.Sum((*node.terms, term))
-            yield "missing term", t.Sum((*node.terms, turned(term)))
+        return t.Product((factor, *factors))
+    if isinstance(factor, t.Number):
+        return t.Product((t.Number(factor.value * factors[0].value), *factors[1:]))
+    return t.Product((factors[0], factor, *factors[1:]))
+
+
+@cache
+def constants(scope: str) -> tuple[t.Name, ...]:
+    """The scalars that may be missing as factors or terms."""
+    declared = conventions_of(scope).by_name.values()
+    return tuple(t.Name(one.name) for one in declared if one.kind == "scalar" and not one.sort and not one.argument)

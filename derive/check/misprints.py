@@ -1,135 +1,153 @@
 """Wrong variants of printed formulas: one small change of the printed tree at a time.
 
-A checker must be seen to fail. A mutant that is still proved is no failure only if it says the same as the original,
-side by side, which is itself proved (``(-b)²`` for ``b²``).
+A checker must be seen to fail. No mutant is made that would state less than the original and be true for that: of what
+is only compared by size nothing is changed but the relation; of what tends to a limit, not the sign; of a single term
+that is said to be 0, not the powers, primes and indices. An exchanged symbol is one of its type: the nearest two in
+spelling or in the order of the conventions with which the statement has a meaning.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import Any
 
-from derive.check.judge import judge
-from derive.check.readings import readings
-from derive.check.report import StatementVerdict
-from derive.check.statements import judge_statement
-from derive.check.verdicts import PROVED
+from derive.check.changes import OTHER_SIGN, TURNED, exchanges, own_changes, positions, put
 from derive.paper import tree as t
-from derive.paper.conventions import scope as conventions_of
+from derive.paper.errors import ReadError
 from derive.paper.ledger import Record
 from derive.paper.printer import to_latex
 from derive.paper.reader import parse
-from derive.theory.claims import Claim, Equal
 
-# Letters that are taken for each other. Not γ for η: in γ > … that makes another true inequality.
-SWAPS = {
-    "beta": ("eta",), "eta": ("beta",), "gamma_bar": ("gamma",), "xi_a": ("xi_b",), "xi_b": ("xi_a",),
-    "g_2": ("g_3",), "g_3": ("g_2",), "b": ("c",), "c": ("b",), "y": ("z",), "z": ("y",),
-    "ell": ("s",), "e_x": ("e_y",),
-}  # fmt: skip
+NEAREST = 2  # symbols for which one is exchanged in one place
+EQUALITIES = {"=", "->"}
+LESS = ("number", "power", "prime", "index")  # kinds that leave 0 at 0
+MATHS = (t.SCALAR, t.VECTOR, t.TENSOR)
+ZERO = t.Number(0)
 
-Own = Callable[[t.Node], Iterable[tuple[str, t.Node]]]
+Variant = tuple[str, t.Statement]
 
 
 @dataclass(frozen=True)
 class Mutant:
-    """A changed statement of a formula: which change, the statement's number, the tree, and its LaTeX."""
+    """A changed statement of a formula.
+
+    change: its kind. number: of the statement. statement: as the reader reads its LaTeX; None if the reader's types
+    forbid it, for the reason given.
+    """
 
     change: str
     number: int
-    statement: t.Statement
     latex: str
+    statement: t.Statement | None
+    reason: str = ""
+
+
+class Mutants:
+    """The mutants of a formula, each once, and none that the formula prints itself."""
+
+    def __init__(self, record: Record) -> None:
+        self.scope = str(record.scope)
+        self.printed = parse(record.latex, self.scope)
+        self._seen: set[tuple[int, object]] = set()
+
+    def changed(self) -> Iterator[Mutant]:
+        """Those that change operations, numbers and indices, in printed order."""
+        for number, statement in enumerate(self.printed):
+            for change, variant in variants(statement, self.scope):
+                mutant = self._new(change, number, variant)
+                if mutant:
+                    yield mutant
+
+    def exchanged(self) -> Iterator[Iterator[Mutant]]:
+        """Those that exchange a symbol: for each place where one stands all that may stand there, nearest first."""
+        for number, statement in enumerate(self.printed):
+            for n, side in enumerate(statement.sides):
+                for path, node in positions(side) if _free(statement, n) else ():
+                    yield self._exchanged(number, n, path, node)
+
+    def _exchanged(self, number: int, n: int, path: tuple[int, ...], node: t.Node) -> Iterator[Mutant]:
+        statement = self.printed[number]
+        for change, new in exchanges(node, self.scope):
+            mutant = self._new(change, number, with_side(statement, n, put(statement.sides[n], path, new)))
+            if mutant:
+                yield mutant
+
+    def _new(self, change: str, number: int, variant: t.Statement) -> Mutant | None:
+        """As it is printed and read; None if it cannot be printed, or is no new one."""
+        mutant = read_back(change, number, variant, self.scope)
+        key = (number, mutant and (mutant.statement or mutant.latex))
+        if mutant is None or key in self._seen or mutant.statement in self.printed:
+            return None
+        self._seen.add(key)
+        return mutant
 
 
 def mutants(record: Record) -> list[Mutant]:
-    """All mutants of a formula, in its order; without repetition, and none that the formula prints itself."""
-    scope = str(record.scope)
-    printed = parse(record.latex, scope)
-    names = set(conventions_of(scope).by_name)
-    found: dict[tuple[int, t.Statement], Mutant] = {}
-    for number, statement in enumerate(printed):
-        for change, mutant in variants(statement, lambda node: own_changes(node, names)):
-            if mutant not in printed and (number, mutant) not in found:
-                found[number, mutant] = Mutant(change, number, mutant, to_latex(mutant, scope))
-    return list(found.values())
+    """All mutants of a formula; of exchanged symbols the nearest."""
+    source = Mutants(record)
+    found = list(source.changed())
+    for each in source.exchanged():
+        found += [one for one, _ in zip(each, range(NEAREST), strict=False)]
+    return found
 
 
-def variants(statement: t.Statement, own: Own) -> Iterator[tuple[str, t.Statement]]:
-    """A statement with one change: of a node, as ``own`` gives them, of a side's sign, or of a relation."""
-    for n, side in enumerate(statement.sides):
-        changed = list(_of_node(side, own))
-        tends = n == 0 and statement.operators[0] == "->"  # −b → 0 says what b → 0 says
-        if side != t.Number(0) and not isinstance(side, t.Signed) and not tends:
-            changed.append(("sign", t.Signed("-", side)))
-        for change, mutant in changed:
-            yield change, replace(statement, sides=(*statement.sides[:n], mutant, *statement.sides[n + 1 :]))
+def read_back(change: str, number: int, changed: t.Statement, scope: str) -> Mutant | None:
+    """The mutant as it is printed and read; None if it cannot be printed."""
+    try:
+        latex = to_latex(changed, scope)
+    except (KeyError, ValueError):
+        return None
+    try:
+        read = parse(latex, scope)
+    except ReadError as error:
+        return Mutant(change, number, latex, None, error.message)
+    return Mutant(change, number, latex, read[0]) if len(read) == 1 else None
+
+
+def with_side(statement: t.Statement, n: int, side: t.Node) -> t.Statement:
+    """The statement with another side."""
+    return replace(statement, sides=(*statement.sides[:n], side, *statement.sides[n + 1 :]))
+
+
+def variants(statement: t.Statement, scope: str) -> Iterator[Variant]:
+    """A statement with one change, of a node, of a side's sign, or of a relation; not of a symbol."""
+    for n in range(len(statement.sides)):
+        for change, mutant in _of_side(statement, n, scope) if _free(statement, n) else ():
+            yield change, with_side(statement, n, mutant)
+    for operators in relations(statement):
+        yield "relation", replace(statement, operators=operators)
+
+
+def relations(statement: t.Statement) -> Iterator[tuple[str, ...]]:
+    """The relations of a statement with one turned over."""
     for n, operator in enumerate(statement.operators):
-        if operator in "<>":
-            turned = (*statement.operators[:n], "<" if operator == ">" else ">", *statement.operators[n + 1 :])
-            yield "relation", replace(statement, operators=turned)
+        if operator in TURNED:
+            yield (*statement.operators[:n], TURNED[operator], *statement.operators[n + 1 :])
 
 
-def _of_node(node: t.Node, own: Own) -> Iterator[tuple[str, t.Node]]:
-    """The changes of a node itself, then those of its parts."""
-    yield from own(node)
-    parts = node.parts()
-    for n, part in enumerate(parts):
-        for change, mutant in _of_node(part, own):
-            yield change, node.with_parts((*parts[:n], mutant, *parts[n + 1 :]))
+def _either(statement: t.Statement) -> Iterator[t.Node]:
+    """The signs ± and ∓, and what takes them for its rows."""
+    for side in statement.sides:
+        for node in side.walk():
+            if isinstance(node, t.Stack) or (isinstance(node, t.Signed) and node.sign in OTHER_SIGN):
+                yield node
 
 
-def own_changes(node: t.Node, names: set[str]) -> Iterator[tuple[str, t.Node]]:
-    """The changes of a node itself; its parts stay."""
-    match node:
-        case t.Number(value=value):
-            yield "number", replace(node, value=value + 1)
-        case t.Name(name=name):
-            yield from (("symbol", replace(node, name=new)) for new in SWAPS.get(name, ()) if new in names)
-        case t.Sum(terms=terms):
-            for n, term in enumerate(terms):
-                yield "sign", t.Sum((*terms[:n], turned(term), *terms[n + 1 :]))
-                rest = (*terms[:n], *terms[n + 1 :])
-                yield "term", rest[0] if len(rest) == 1 else t.Sum(rest)
-        case t.Product(factors=factors):
-            for n in range(len(factors)):
-                rest = (*factors[:n], *factors[n + 1 :])
-                if factors[n].type == t.SCALAR:
-                    yield "factor", rest[0] if len(rest) == 1 else t.Product(rest)
-        case t.Primed(order=order, of=of):
-            yield "prime", of if order == 1 else replace(node, order=order - 1)
-        case t.Call(primes=primes) if primes:
-            yield "prime", replace(node, primes=primes - 1)
-        case t.Power(base=base) if base.type == t.SCALAR:
-            yield "power", base
-        case t.Signed(of=of):
-            yield "sign", of
-        case t.Root(of=of):
-            yield "root", of
+def _free(statement: t.Statement, n: int) -> bool:
+    """May a side be changed? Not if it is only compared by size: half the changes would say less."""
+    return bool(set(statement.operators[max(n - 1, 0) : n + 1]) & EQUALITIES)
 
 
-def turned(term: t.Node) -> t.Node:
-    """A term with the other sign."""
-    return term.of if isinstance(term, t.Signed) else t.Signed("-", term)
-
-
-def judge_mutant(theory: Any, record: Record, mutant: Mutant) -> StatementVerdict:
-    """The verdict on a mutant, under the hypotheses of the formula."""
-    given = tuple(statement for latex in record.given for statement in parse(latex, str(record.scope)))
-    return judge_statement(theory, record, mutant.number, mutant.statement, given, judge)
-
-
-def same_meaning(theory: Any, record: Record, mutant: Mutant) -> bool:
-    """Is the mutant, side by side, proved equal to the original in every reading?"""
-    scope = str(record.scope)
-    original = parse(record.latex, scope)[mutant.number]
-    given = tuple(statement for latex in record.given for statement in parse(latex, scope))
-    if original.operators != mutant.statement.operators:
-        return False
-    sides = original.sides + mutant.statement.sides
-    for reading in readings(theory, scope, sides, given):
-        for one, other in zip(original.sides, mutant.statement.sides, strict=True):
-            left, right = reading.of(one), reading.of(other)
-            if judge(Claim("same", "equal sides", Equal(left, right), reading.domain)).verdict != PROVED:
-                return False
-    return True
+def _of_side(statement: t.Statement, n: int, scope: str) -> Iterator[tuple[str, t.Node]]:
+    side = statement.sides[n]
+    vanishes = not isinstance(side, t.Sum) and ZERO in statement.sides
+    alone = len(list(_either(statement))) == 1  # ± alone says what ∓ alone says
+    for path, node in positions(side):
+        for change, new in own_changes(node, scope):
+            other = isinstance(node, t.Signed) and isinstance(new, t.Signed)
+            if not (vanishes and change in LESS) and not (alone and other):
+                yield change, put(side, path, new)
+    tends = n == 0 and statement.operators[0] == "->"  # −b → 0 says what b → 0 says
+    plain = side.type in MATHS and not isinstance(side, t.Signed | t.BigO | t.Stack | t.Cases)
+    if plain and not tends and ZERO not in statement.sides:
+        yield "sign", t.Signed("-", side)

@@ -106,6 +106,12 @@ class Sampler:
             point[symbol] = -value if not isinstance(value, wp_inverse) and self.random.random() < 0.5 else value
         return point if all(self._positive(condition, point) for condition in self.domain.conditions) else None
 
+    def extend(self, point: ExactPoint, expressions: Iterable[sp.Expr]) -> None:
+        """Give values to the unknowns of the expressions that the point does not have yet, where they can be drawn."""
+        for symbol in unknowns(expressions):
+            if symbol not in point and (value := self._value(symbol, point)) is not None:
+                point[symbol] = value
+
     def inside(self, point: ExactPoint) -> bool:
         """True if a point is in the domain, and obeys the assumptions of the symbols."""
         for symbol, value in point.items():

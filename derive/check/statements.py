@@ -11,8 +11,10 @@ A formula that holds along every rod, but with a sign or a branch that is not pr
 that was found is in the verdict's reason: ± that changes its sense along a rod, a logarithm whose principal value
 jumps. What the printed signs cannot mend, at any point of any rod, is REFUTED there.
 
-An equality that holds is a DEFINITION if it introduces a conventional name: the name alone on its first side, under
-no hypothesis. Everything else that is proved is PROVED. Nothing is looked up: verdicts are computed.
+- ``A = B`` where the text drops what is O(εⁿ): the difference is of that order.
+
+An equality that holds is a DEFINITION if it introduces a name, as the conventions say of the name: alone on the first
+side, under no hypothesis. Everything else that is proved is PROVED. Nothing is looked up: verdicts are computed.
 """
 
 from __future__ import annotations
@@ -30,11 +32,11 @@ from derive.check.readings import readings
 from derive.check.report import RelationVerdict, StatementVerdict, statement_verdict
 from derive.check.verdicts import DEFINITION, PROVED, UNKNOWN, Verdict
 from derive.paper import tree as t
+from derive.paper.conventions import scope as conventions_of
 from derive.paper.ledger import Record
 from derive.paper.symbolic import NONE, Indices
 from derive.theory.claims import Claim, Domain, Limit
 
-CONVENTIONAL = {"xi", "b", "c", "varkappa"}  # names that the article chooses; the others are derived in the theory
 Judge = Callable[[Claim], Verdict]
 
 
@@ -49,7 +51,7 @@ def judge_statement(
             found += _of_branch(theory, record, f"{record.id}.{number + 1}", branch, given, decide)
     except ValueError as reason:  # MeaningError, or an expression that SymPy cannot form
         found.append(RelationVerdict("meaning", Verdict(record.id, UNKNOWN, "none", None, str(reason))))
-    defines = not given and _introduces(statement)
+    defines = not given and _introduces(statement, record)
     passed = bool(found) and all(relation.verdict.verdict == PROVED for relation in found)
     latex = record.latex[statement.span[0] : statement.span[1]] if statement.span[1] else ""
     return statement_verdict(latex, found, time.perf_counter() - start, DEFINITION if defines and passed else None)
@@ -69,13 +71,16 @@ def _of_branch(
                 yield RelationVerdict(f"{title} ({where})", decide(claim), note)
 
 
-def _introduces(statement: t.Statement) -> bool:
-    """Is the first side a conventional name, alone (ϰ also at its variable), and every relation an equality?"""
+def _introduces(statement: t.Statement, record: Record) -> bool:
+    """Is the first side a name that this display introduces, alone or at variables, and every relation an equality?"""
     first = statement.sides[0]
-    name = first.name if isinstance(first, t.Name) else ""
-    if isinstance(first, t.Call) and first.name == "varkappa" and isinstance(first.args[0], t.Name):
-        name = first.name
-    return name in CONVENTIONAL and set(statement.operators) == {"="}
+    alone = isinstance(first, t.Name) or (
+        isinstance(first, t.Call) and not first.primes and all(isinstance(arg, t.Name) for arg in first.args)
+    )
+    if not alone or set(statement.operators) != {"="}:
+        return False
+    assert isinstance(first, t.Name | t.Call)
+    return conventions_of(str(record.scope)).declared(first.name, first.index).introduced == record.id
 
 
 def _check_given(reading: Components, given: tuple[t.Statement, ...], decide: Judge) -> None:
@@ -116,7 +121,7 @@ def _unsigned(
             continue
         domain = reading.domain if limit is None else _without(reading.domain, limit[0])
         if operator == "->":
-            limit = limit or _limit(reading, given)
+            limit = limit or limit_of(reading, given)
             variable, point, side = limit
             at_limit = _at(right, limit)
             if at_limit != right:
@@ -148,7 +153,7 @@ def _finite(value: Any) -> Any:
     return value
 
 
-def _limit(reading: Components, given: tuple[t.Statement, ...]) -> tuple[Symbol, Any, str]:
+def limit_of(reading: Components, given: tuple[t.Statement, ...]) -> tuple[Symbol, Any, str]:
     """Variable, point and side of the limit that the text assumes; MeaningError if there is none, or two."""
     arrows = [statement for statement in given if statement.operators == ("->",)]
     if len(arrows) != 1 or reading.constant is None or reading.ends is None:

@@ -1,4 +1,4 @@
-"""What becomes of the mutants: killed by a counterexample, proved to say what the original says, or surviving.
+"""What becomes of the mutants, as plain data, and the score.
 
 A printed statement that is refuted is mended first: its mutants would show nothing.
 """
@@ -9,14 +9,16 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from typing import Any
 
-from derive.check import misprints, mutate
+from derive.check import mutate
 from derive.check.printed import judge_formula
 from derive.check.report import FormulaVerdict
-from derive.check.verdicts import DEFINITION, PROVED, REFUTED
+from derive.check.trial import EQUIVALENT, ILL_TYPED, KILLED, MEANINGLESS, SURVIVING, Fate, Trial
+from derive.check.verdicts import AGREED, CERTIFIED, DEFINITION, PROVED
 from derive.paper.ledger import Record
 from derive.theory.claims import Claim
 
-FATES = ("killed", "equivalent", "surviving")
+FATES = (KILLED, ILL_TYPED, EQUIVALENT, SURVIVING, MEANINGLESS)
+HOLD = (PROVED, DEFINITION, CERTIFIED, AGREED)
 
 
 def of_claim(claim: Claim) -> list[dict[str, Any]]:
@@ -25,7 +27,7 @@ def of_claim(claim: Claim) -> list[dict[str, Any]]:
 
 
 def _of_outcome(outcome: mutate.Outcome) -> dict[str, Any]:
-    fate = "surviving" if outcome.fate == "failed" else outcome.fate
+    fate = SURVIVING if outcome.fate == "failed" else outcome.fate
     said = outcome.verdict
     return _fate(outcome.id, kind_of(outcome.change), fate, f"{said.id}: {outcome.change}", said.verdict, said.reason)
 
@@ -39,34 +41,33 @@ def kind_of(change: str) -> str:
 
 
 def of_formula(theory: Any, record: Record) -> list[dict[str, Any]]:
-    """The fates of the mutants of a printed formula, as plain data."""
-    sound = mended(record, judge_formula(theory, record, mend=True))
+    """The fates of the mutants of a printed formula, as plain data; what has no sound form survives itself."""
+    verdict = judge_formula(theory, record, mend=True)
+    sound, unsound = mended(record, verdict)
+    found = [_fate(record.id, "none", SURVIVING, latex, "", "neither holds nor can be mended") for latex in unsound]
     if sound is None:
-        return [_fate(record.id, "none", "surviving", record.latex, "", "it is neither proved nor can it be mended")]
-    return [_of_mutant(theory, sound, mutant) for mutant in misprints.mutants(sound)]
+        return found
+    numbers = {n for n, one in enumerate(verdict.statements) if one.repair or one.verdict in HOLD}
+    return found + [_of_mutant(record.id, fate) for fate in Trial(theory, sound, numbers).fates()]
 
 
-def mended(record: Record, verdict: FormulaVerdict) -> Record | None:
-    """The formula, with repairs in the place of what is refuted; None if a statement cannot be proved."""
+def mended(record: Record, verdict: FormulaVerdict) -> tuple[Record | None, list[str]]:
+    """The formula with repairs for what is refuted (None if it was not read), and what has no sound form."""
     parts = [s.repair["latex"] if s.repair else s.printed for s in verdict.statements]
-    proved = [s.repair or s.verdict in (PROVED, DEFINITION) for s in verdict.statements]
-    if not parts or not all(proved):
-        return None
-    return replace(record, latex=r" \,, \qquad ".join(parts))
+    unsound = [s.printed for s in verdict.statements if not s.repair and s.verdict not in HOLD]
+    if not parts:
+        return None, [record.latex]
+    return replace(record, latex=r" \,, \qquad ".join(parts)), unsound
 
 
-def _of_mutant(theory: Any, record: Record, mutant: misprints.Mutant) -> dict[str, Any]:
-    verdict = misprints.judge_mutant(theory, record, mutant)
-    fate = "killed" if verdict.verdict == REFUTED else "surviving"
-    if verdict.verdict in (PROVED, DEFINITION) and misprints.same_meaning(theory, record, mutant):
-        fate = "equivalent"
-    return _fate(record.id, mutant.change, fate, mutant.latex, verdict.verdict, verdict.reason)
+def _of_mutant(label: str, fate: Fate) -> dict[str, Any]:
+    return _fate(label, fate.mutant.change, fate.fate, fate.mutant.latex, fate.verdict, fate.reason)
 
 
 def _fate(of: str, kind: str, fate: str, mutant: str, verdict: str, reason: str) -> dict[str, Any]:
-    """One mutant; what it was is kept of survivors only."""
+    """One mutant; what it was is kept of those that need a look."""
     found = {"id": of, "kind": kind, "fate": fate}
-    return found if fate != "surviving" else {**found, "mutant": mutant, "verdict": str(verdict), "reason": reason}
+    return found if fate == KILLED else {**found, "mutant": mutant, "verdict": str(verdict), "reason": reason}
 
 
 def score(fates: Iterable[Mapping[str, Any]], by: Callable[[Mapping[str, Any]], str]) -> dict[str, dict[str, int]]:

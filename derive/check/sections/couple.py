@@ -1,8 +1,8 @@
 """Section 2.3, elmr12 to elmr15: what its symbols mean in the couple of the induction on the magnetization.
 
 Three readings. In any particle the orientation a is any vector. In the rod, where orders of magnitude are compared or
-the couple is integrated, a is the theory's orientation of the fibres, exact in ε, and the couple on the part from 0 to s
-is represented by its density along the rod (see ``functionals``). To first order, the couple per unit length is what
+the couple is integrated, a is the theory's orientation of the fibres, exact in ε, and the couple on the part from 0 to
+s is represented by its density along the rod (see ``functionals``). To first order, the couple per unit length is what
 is left of that density when ε tends to 0.
 
 The integral over a section of area A whose first moments vanish is A times the integrand without its part of first
@@ -11,7 +11,7 @@ order: two integrands have one integral on all such sections if and only if they
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import count
 from typing import Any
@@ -19,9 +19,9 @@ from typing import Any
 from sympy import ImmutableMatrix, Matrix, Symbol, zeros
 
 from derive.check.meaning import Components, MeaningError, ell
-from derive.check.sections.framed import rotation
 from derive.check.sections.functionals import PART, OnRod
-from derive.check.sections.remembered import remembered
+from derive.check.sections.moving import kept, rates_of, rotation_by
+from derive.check.sections.variation import OTHER
 from derive.paper import tree as t
 from derive.paper.symbolic import NONE, Indices, to_sympy
 from derive.theory.claims import Domain
@@ -46,6 +46,12 @@ class InRod(OnRod):
         """The value of a printed tree; what is only known by its order is numbered anew in each."""
         self.known["unknowns"] = count(1)
         return super().of(node, indices)
+
+    def call(self, name: str, primes: int, args: Sequence[Any]) -> Any:
+        """A symbol at a place; a quantity that is collected from 0 to s, from 0 to that place."""
+        if name != "L_couple" or primes:
+            return super().call(name, primes, args)
+        return self.name(name).subs(PART, self.before(args[0]))
 
     def order(self, node: t.BigO, indices: Indices) -> Any:
         """Something of the order of a power of ε: that power times what is unknown."""
@@ -95,7 +101,7 @@ def readings(theory: Any, sides: tuple[t.Node, ...], given: tuple[t.Statement, .
         yield particle
 
 
-@remembered
+@kept
 def _all(theory: Any) -> tuple[InRod, InRod, InRod]:
     couple: Couple = theory.section2.balance.couple
     rod = couple.line.rod
@@ -112,16 +118,15 @@ def _all(theory: Any) -> tuple[InRod, InRod, InRod]:
 def _reading(couple: Couple, title: str, values: Mapping[str, Any]) -> InRod:
     rod = couple.line.rod
     kappa = ImmutableMatrix(rod.frame.kappa)
-    other = rotation("g")
-    rates = other.turned(other.matrix * rod.kappa_u - kappa)
-    rates |= dict(zip(DIRECTION, -kappa.cross(DIRECTION), strict=True))
+    rates = dict(rates_of(OTHER, rotation_by(OTHER) * rod.kappa_u - kappa))
+    rates |= dict(zip(DIRECTION.diff(s), -kappa.cross(DIRECTION), strict=True))
     return InRod(title, Domain(), values, kappa, rates, units=[DIRECTION], volume=rod.jacobian)
 
 
 def _values(couple: Couple, a: Matrix) -> dict[str, Any]:
     """The values of the printed names, in the frame d, for particles of orientation a."""
     line, rod = couple.line, couple.line.rod
-    h, before = field * DIRECTION, rotation("g").matrix
+    h, before = field * DIRECTION, rotation_by(OTHER)
     known = dict(zip(FIELD, h, strict=True))
     energy, moment = line.energy, line.energy.moment(h, a)
     g = before * rod.tangents_u

@@ -45,11 +45,11 @@ class OnRod(Framed):
 
     def part(self, lower: t.Node, upper: t.Node) -> Expr:
         """1 where a point of the rod lies between two places, −1 if they are in the wrong order, else 0."""
-        return self._before(upper) - self._before(lower)
+        return self.before(to_sympy(upper, self)) - self.before(to_sympy(lower, self))
 
-    def _before(self, place: t.Node) -> Expr:
-        value = to_sympy(place, self)
+    def before(self, place: Any) -> Expr:
+        """1 where a point of the rod lies before a place, else 0."""
         found = {0: 0 * s, ell: s**0, s: PART}
-        if value not in found:
-            raise self.absent(f"an integral or a bracket that ends at {value}")
-        return found[value]
+        if place not in found:
+            raise self.absent(f"an integral or a bracket that ends at {place}")
+        return found[place]

@@ -16,7 +16,8 @@ from derive.theory.letters import e1, e2, e3, vector_of
 from derive.theory.symbols import s
 
 Rates = Mapping[Derivative, Expr]
-Of, Made = TypeVar("Of"), TypeVar("Made")
+Of = TypeVar("Of")
+Made = TypeVar("Made")
 
 
 def skew(axis: Matrix) -> Matrix:
@@ -34,6 +35,13 @@ def rates_of(parameters: Matrix, spin: Matrix) -> Rates:
     """The rates of a rotation's parameters for which each of its columns c has c_s = spin × c."""
     slope = (spin + spin.cross(parameters) + parameters.dot(spin) * parameters) / 2
     return dict(zip(parameters.diff(s), slope, strict=True))
+
+
+def inverse(tensor: Matrix) -> Matrix:
+    """By the products of its rows; nothing is multiplied out."""
+    rows = [tensor[i, :].T for i in range(3)]
+    columns = [rows[(i + 1) % 3].cross(rows[(i + 2) % 3]) for i in range(3)]
+    return Matrix.hstack(*columns) / rows[0].dot(columns[0])
 
 
 def along(value: Any, kappa: Matrix, rates: Rates) -> Any:

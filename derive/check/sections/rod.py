@@ -12,17 +12,19 @@ from copy import copy
 from functools import cached_property
 from typing import Any
 
-from sympy import Expr, Function, Matrix, MatrixBase, Max, Symbol, eye, zeros
+from sympy import Expr, Function, ImmutableMatrix, Matrix, MatrixBase, Max, Symbol, eye, sqrt, zeros
 
 from derive.check.meaning import Components
-from derive.check.sections.moving import along, elsewhere, extent, kept, rates_of, rotation_by, unknown
+from derive.check.sections.moving import along, elsewhere, extent, inverse, kept, rates_of, rotation_by, unknown
 from derive.paper import tree as t
 from derive.paper.symbolic import Indices, member, to_sympy
 from derive.theory import frame, loads, placement
 from derive.theory.claims import Domain
+from derive.theory.constraint import FORCE
+from derive.theory.elastic import STIFFNESS
 from derive.theory.letters import EI, GJ, X1, X2, e1, e2, e3, eps, vector_of
 from derive.theory.symbols import s
-from derive.theory.variation import FORCE, STIFFNESS, Balance
+from derive.theory.variation import Balance
 
 BASIS = (e1, e2, e3)
 TURN = vector_of("r")  # of the undistorted frame from the other
@@ -46,6 +48,8 @@ class Rod(Components):
         self.rod = balance.couple.line.rod
         self.kappa = self.rod.frame.kappa
         self._known: dict[str, Any] = {}
+        self._on_u: dict[ImmutableMatrix, Matrix] = {}  # vectors whose components on d^u are known
+        self._right: dict[ImmutableMatrix, Matrix] = {}  # tensors on d ⊗ d^u
 
     @cached_property
     def turned(self) -> Matrix:
@@ -67,6 +71,39 @@ class Rod(Components):
             found |= dict(zip(vector.diff(s), slope - self.kappa.cross(vector), strict=True))
         found |= dict(zip(FORCE.diff(s), solved(self.loaded.force, FORCE.diff(s)), strict=True))
         return found | {PHI.diff(s): frame.axis(self.kappa).turn}
+
+    def from_u(self, components: Matrix) -> ImmutableMatrix:
+        """A vector of given components on d^u."""
+        value = ImmutableMatrix(self.turned * components)
+        self._on_u[value] = components
+        return value
+
+    def from_both(self, components: Matrix) -> ImmutableMatrix:
+        """A tensor of given components on d ⊗ d^u."""
+        value = ImmutableMatrix(components * self.turned.T)
+        self._right[value] = components
+        return value
+
+    # The turn leaves products of vectors as they are: where both are given on d^u, it need not be multiplied out.
+
+    def dot(self, left: Any, right: Any) -> Any:
+        """In components, on d^u where both are given there."""
+        pair = [self._on_u.get(_frozen(vector)) for vector in (left, right)]
+        return left.dot(right) if None in pair else pair[0].dot(pair[1])
+
+    def cross(self, left: Any, right: Any) -> Any:
+        """In components, on d^u where both are given there."""
+        pair = [self._on_u.get(_frozen(vector)) for vector in (left, right)]
+        return left.cross(right) if None in pair else self.from_u(pair[0].cross(pair[1]))
+
+    def apply(self, tensor: Any, other: Any) -> Any:
+        """In components, on d^u where both are given there."""
+        pair = self._right.get(_frozen(tensor)), self._on_u.get(_frozen(other))
+        return tensor * other if None in pair else pair[0] * pair[1]
+
+    def norm(self, of: Any) -> Any:
+        """The root of the square."""
+        return sqrt(self.dot(of, of)) if isinstance(of, MatrixBase) else super().norm(of)
 
     @property
     def uniform(self) -> dict[Matrix, Matrix]:
@@ -129,8 +166,8 @@ class Rod(Components):
         return elsewhere(to_sympy(node.of, self, indices), to_sympy(node.value, self, indices))
 
     def inverse(self, of: Any) -> Any:
-        """By cofactors."""
-        return of.adjugate() / of.det(method="berkowitz")
+        """By the products of its rows."""
+        return inverse(of)
 
     def order(self, node: t.BigO, indices: Indices) -> Any:
         """That power of ε times a quantity of which nothing is known."""
@@ -154,6 +191,10 @@ class Rod(Components):
         return self
 
 
+def _frozen(value: Any) -> Any:
+    return ImmutableMatrix(value)
+
+
 def solved(equations: Matrix, unknowns: Matrix) -> Matrix:
     """The unknowns of equations that are zero and linear in them."""
     coefficients = equations.jacobian(unknowns)
@@ -173,7 +214,7 @@ def couple_of(reading: Rod) -> Matrix:
 
 Rod.values = {
     "kappa": lambda r: r.kappa,
-    "kappa_u": lambda r: r.turned * r.rod.kappa_u,
+    "kappa_u": lambda r: r.from_u(r.rod.kappa_u),
     "x": lambda r: vector_of("x"),
     "x_u": lambda r: vector_of("x_u"),
     "x_hat": lambda r: vector_of("x") + placement.DEFORMED,
@@ -187,8 +228,8 @@ Rod.values = {
     "h": lambda r: placement.thickness(r.rod.kappa_u, r.kappa, placement.LENGTH),
     "ell": lambda r: placement.LENGTH,
     "s": lambda r: s,
-    "F_tensor": lambda r: r.rod.gradient * r.turned.T,
-    "Q": lambda r: eye(3) * r.turned.T,
+    "F_tensor": lambda r: r.from_both(r.rod.gradient),
+    "Q": lambda r: r.from_both(eye(3)),
     "mu": lambda r: r.rod.mu,
     "force": lambda r: FORCE,
     "f_line": lambda r: loads.FORCES,
@@ -205,11 +246,11 @@ Rod.values = {
 }
 Rod.families = {
     "d": lambda r, i: BASIS[i - 1],
-    "d_u": lambda r, i: r.turned[:, i - 1],
+    "d_u": lambda r, i: r.from_u(BASIS[i - 1]),
     "kappa_c": lambda r, i: r.kappa[i - 1],
     "kappa_u_c": lambda r, i: r.rod.kappa_u[i - 1],
-    "g": lambda r, i: r.turned * r.rod.tangents_u[:, i - 1],
-    "g_dual": lambda r, i: r.turned * r.rod.dual_u[:, i - 1],
+    "g": lambda r, i: r.from_u(r.rod.tangents_u[:, i - 1]),
+    "g_dual": lambda r, i: r.from_u(r.rod.dual_u[:, i - 1]),
     "X": lambda r, i: eps * (X1, X2)[i - 1],
 }
 

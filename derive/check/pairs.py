@@ -1,0 +1,124 @@
+"""Pairs of edits that may mend a statement, found without trying all pairs.
+
+At a point, each edit changes the difference of two sides by some amount. Edits of separate terms change it by the sum
+of theirs; of edits of one term each multiplies the term, mostly. So for each edit it is known what the other must
+bring, and that is looked up among all edits. What is found is only likely: it has to be tried.
+"""
+
+from __future__ import annotations
+
+import random
+from bisect import bisect_left
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from mpmath import mp
+
+from derive.check.bench import DIGITS, Bench
+from derive.check.changes import Path, positions, put
+from derive.check.components import each, flat
+from derive.check.edits import KINDS, Edit
+from derive.check.misprints import with_side
+from derive.check.values import Indices, Place
+from derive.paper import tree as t
+
+CLOSE = mp.mpf(10) ** -12  # relative difference of amounts that are the same
+NONSENSE = (ValueError, ArithmeticError, TypeError, NotImplementedError)
+
+
+def pairs(bench: Bench, statement: t.Statement, once: Sequence[Edit]) -> list[tuple[Edit, Edit]]:
+    """Pairs of edits that undo the difference of two sides at a point: likeliest first, and the inner edit first."""
+    found: dict[tuple[int, int], None] = {}
+    for n, operator in enumerate(statement.operators):
+        for place, indices in bench.wrong(statement, n) if operator == "=" else ():
+            found |= dict.fromkeys(_Amounts(statement, n, place, indices, once).pairs())
+    chosen = [_inner_first(once[a], once[b]) for a, b in found]
+    return sorted(chosen, key=lambda pair: sum(KINDS.index(one.kind) for one in pair))
+
+
+def _inner_first(one: Edit, other: Edit) -> tuple[Edit, Edit]:
+    return (one, other) if len(one.path) >= len(other.path) else (other, one)
+
+
+class _Amounts:
+    """What edits do to the difference of the sides n and n + 1 at a point, weighed to one number."""
+
+    def __init__(self, statement: t.Statement, n: int, place: Place, indices: Indices, once: Sequence[Edit]) -> None:
+        self.statement, self.n, self.once = statement, n, once
+        self.values, self.indices = place.values(DIGITS), indices
+        self.weights = [mp.mpf(x) for x in random.Random(5).sample(range(1000, 9999), 9)]
+        self.gap = self._gap(statement)
+        self.amounts: dict[int, Any] = {}
+        for number, edit in enumerate(once):
+            amount = self._amount(edit.of(statement)) if edit.side in (n, n + 1) else None
+            if amount is not None:
+                self.amounts[number] = amount
+
+    def _gap(self, statement: t.Statement) -> Any:
+        left, right = (self.values.of(side, self.indices) for side in statement.sides[self.n : self.n + 2])
+        gaps = flat(each(lambda a, b: a - b, left, right))
+        return mp.fsum(weight * gap for weight, gap in zip(self.weights, gaps, strict=False))
+
+    def _amount(self, changed: t.Statement) -> Any:
+        try:
+            return self._gap(changed) - self.gap
+        except NONSENSE:
+            return None
+
+    def pairs(self) -> Iterator[tuple[int, int]]:
+        """Numbers of edits that together undo the difference."""
+        yield from _matching(self.amounts, lambda amount: -self.gap - amount)
+        for side, path, dropped in self._terms():
+            size = -dropped
+            if size == 0:
+                continue
+            inside = {
+                k: 1 + amount / size
+                for k, amount in self.amounts.items()
+                if self.once[k].side == side and self.once[k].path[: len(path)] == path
+            }
+            wanted = 1 - self.gap / size
+            yield from _matching(
+                {k: r for k, r in inside.items() if r != 0}, lambda ratio, wanted=wanted: wanted / ratio
+            )
+
+    def _terms(self) -> Iterator[tuple[int, Path, Any]]:
+        """Whole sides and terms of sums, with what the difference loses when they are 0."""
+        for n in (self.n, self.n + 1):
+            side = self.statement.sides[n]
+            for path, node in positions(side):
+                if isinstance(node, t.Sum):
+                    for k in range(len(node.terms)):
+                        without = with_side(self.statement, n, put(side, path, _without(node, k)))
+                        lost = self._amount(without)
+                        if lost is not None:
+                            yield n, (*path, k), lost
+            lost = self._lost(n, side)
+            if lost is not None:
+                yield n, (), lost
+
+    def _lost(self, n: int, side: t.Node) -> Any:
+        """What the difference loses without a side."""
+        whole = flat(self.values.of(side, self.indices))
+        sign = -1 if n == self.n else 1
+        return sign * mp.fsum(weight * x for weight, x in zip(self.weights, whole, strict=False))
+
+
+def _matching(known: dict[int, Any], wanted: Any) -> Iterator[tuple[int, int]]:
+    """Pairs of keys where the second value is what the first wants."""
+    real = {k: mp.re(value) for k, value in known.items()}
+    order = sorted(real, key=lambda k: real[k])
+    values = [real[k] for k in order]
+    close = CLOSE * max(map(abs, values), default=mp.mpf(0))
+    for k, value in known.items():
+        target = mp.re(wanted(value))
+        start = bisect_left(values, target - close)
+        while start < len(order) and values[start] <= target + close:
+            if order[start] > k:
+                yield k, order[start]
+            start += 1
+
+
+def _without(node: t.Sum, k: int) -> t.Node:
+    rest = (*node.terms[:k], *node.terms[k + 1 :])
+    return rest[0] if len(rest) == 1 else t.Sum(rest)
