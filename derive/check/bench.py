@@ -80,7 +80,8 @@ class Bench:
         for place in places:
             try:
                 for n, operator in enumerate(statement.operators):
-                    found = _fails(place, operator, statement.sides[n : n + 2], indices)
+                    sides = statement.sides[n : n + 2]
+                    found = place.reading.reads(*sides) and _fails(place, operator, sides, indices)
                     if found:
                         return found
             except UndefinedError:

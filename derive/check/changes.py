@@ -17,8 +17,7 @@ from derive.paper.conventions import scope as conventions_of
 Change = tuple[str, t.Node]
 Path = tuple[int, ...]
 
-LETTERS = ("i", "j", "k")
-GREEK = ("alpha", "beta", "gamma")
+LATIN, GREEK = ("i", "j", "k"), ("alpha", "beta")  # the letters of indices, in order
 TURNED = {"<": ">", ">": "<", "<=": ">", ">=": "<", "!=": "=", "in": "notin", "notin": "in"}
 OTHER_SIGN = {r"\pm": r"\mp", r"\mp": r"\pm"}
 _BOUND = ("by", "variable")  # fields that bind a letter
@@ -64,7 +63,7 @@ def own_changes(node: t.Node, scope: str) -> Iterator[Change]:
             yield "number", replace(node, value=value + 1)
         case t.Name():
             yield from _of_index(node, letters)
-            if letters.by_name[node.name].argument and not node.index:
+            if letters.declared(node.name, node.index).argument:
                 yield "prime", t.Primed(node, 1)
         case t.Call():
             yield from _of_call(node, letters)
@@ -86,24 +85,26 @@ def own_changes(node: t.Node, scope: str) -> Iterator[Change]:
 def exchanges(node: t.Node, scope: str) -> Iterator[Change]:
     """A symbol exchanged for others of its type, nearest first."""
     if isinstance(node, t.Name | t.Call):
-        for other in ranked(node.name, scope):
-            yield difference(node.name, other, scope), replace(node, name=other.name)
+        mine = conventions_of(scope).declared(node.name, node.index)
+        for other in ranked(node.name, scope, node.index):
+            yield difference(mine, other), replace(node, name=other.name)
 
 
 def _of_index(node: t.Name | t.Call, letters: Scope) -> Iterator[Change]:
     """Another index: the next letter of its alphabet, and a number."""
     if not node.index:
         return
-    alphabet = LETTERS if len(node.index) == 1 else GREEK
-    place = alphabet.index(node.index) if node.index in alphabet else -1
-    yield "index", replace(node, index=alphabet[(place + 1) % len(alphabet)])
+    alphabet = LATIN if node.index in LATIN else GREEK
+    letter = alphabet[(alphabet.index(node.index) + 1) % len(alphabet)]
+    if (node.name, letter) in letters.by_letter:
+        yield "index", replace(node, index=letter)
     member = f"{node.name}_{t.values_of(node.index)[0]}"
     if member in letters.by_name:
         yield "index", replace(node, name=member, index="")
 
 
 def _of_call(node: t.Call, letters: Scope) -> Iterator[Change]:
-    mine = letters.by_name[node.name]
+    mine = letters.declared(node.name, node.index)
     yield from _of_index(node, letters)
     if node.primes:
         yield "prime", replace(node, primes=node.primes - 1)

@@ -147,7 +147,7 @@ def _restored(node: t.Node, letters: Scope) -> Iterator[tuple[str, t.Node]]:
 
 
 def _of_name(node: t.Name, letters: Scope) -> Iterator[tuple[str, t.Node]]:
-    mine = letters.by_name[node.name]
+    mine = letters.declared(node.name, node.index)
     if mine.argument:
         for arc in _arcs(mine, letters):
             yield "argument", t.Call(node.name, (arc,), 0, node.kind, node.index)
@@ -156,7 +156,7 @@ def _of_name(node: t.Name, letters: Scope) -> Iterator[tuple[str, t.Node]]:
 
 
 def _of_call(node: t.Call, letters: Scope) -> Iterator[tuple[str, t.Node]]:
-    mine = letters.by_name[node.name]
+    mine = letters.declared(node.name, node.index)
     if mine.argument:
         yield "argument", t.Name(node.name, node.kind, node.index)
         yield from (("argument", replace(node, args=(arc,))) for arc in _arcs(mine, letters))

@@ -33,7 +33,8 @@ def resolved(claims: Sequence[Claim]) -> tuple[list[Claim], int | None]:
     fitting = [sign for sign in (1, -1) if not any(_fails(_put(claim, sign)) for claim in signed)]
     if not fitting and len(signed) == 1 and isinstance(signed[0].relation, Equal):
         either = replace(signed[0], relation=_one_of_two(signed[0].relation))
-        return [either if claim is signed[0] else claim for claim in claims], None
+        if not _fails(either):
+            return [either if claim is signed[0] else claim for claim in claims], None
     sign = fitting[0] if fitting else 1
     return [_put(claim, sign) for claim in claims], sign if len(fitting) == 1 else None
 

@@ -21,6 +21,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
 from typing import Any
 
 from sympy import Symbol, nan, oo, zoo
@@ -30,7 +31,7 @@ from derive.check.branches import Branch, branches, index_values
 from derive.check.meaning import Components, MeaningError
 from derive.check.readings import readings
 from derive.check.report import RelationVerdict, StatementVerdict, statement_verdict
-from derive.check.verdicts import DEFINITION, PROVED, UNKNOWN, Verdict
+from derive.check.verdicts import DEFINITION, PROVED, REFUTED, UNKNOWN, Verdict
 from derive.paper import tree as t
 from derive.paper.conventions import scope as conventions_of
 from derive.paper.ledger import Record
@@ -46,9 +47,11 @@ def judge_statement(
     """The verdict on one statement: the worst of its relations', in all readings."""
     start = time.perf_counter()
     found: list[RelationVerdict] = []
+    cases = Cases({}, set())
     try:
         for branch in branches(statement):
-            found += _of_branch(theory, record, f"{record.id}.{number + 1}", branch, given, decide)
+            found += _of_branch(theory, record, f"{record.id}.{number + 1}", branch, given, decide, cases)
+        found += [RelationVerdict(f"no case ({title})", verdict) for title, verdict in cases.open()]
     except ValueError as reason:  # MeaningError, or an expression that SymPy cannot form
         found.append(RelationVerdict("meaning", Verdict(record.id, UNKNOWN, "none", None, str(reason))))
     defines = not given and _introduces(statement, record)
@@ -57,18 +60,46 @@ def judge_statement(
     return statement_verdict(latex, found, time.perf_counter() - start, DEFINITION if defines and passed else None)
 
 
+@dataclass(frozen=True)
+class Cases:
+    """The readings in which a case does not apply, with the refutation of its condition, and those where one does."""
+
+    left: dict[str, Verdict]
+    met: set[str]
+
+    def open(self) -> list[tuple[str, Verdict]]:
+        """The readings in which no case applies."""
+        return [(title, verdict) for title, verdict in self.left.items() if title not in self.met]
+
+
 def _of_branch(
-    theory: Any, record: Record, stem: str, branch: Branch, given: tuple[t.Statement, ...], decide: Judge
+    theory: Any,
+    record: Record,
+    stem: str,
+    branch: Branch,
+    given: tuple[t.Statement, ...],
+    decide: Judge,
+    cases: Cases,
 ) -> Iterator[RelationVerdict]:
     """The verdicts on a plain statement, in all readings and for all values of its indices."""
-    given = (*given, *branch.given)
-    for reading in readings(theory, record.scope or "", branch.statement.sides, given):
+    whole = (*given, *branch.given)
+    for reading in readings(theory, record.scope or "", said_of(branch.statement), whole):
         _check_given(reading, given, decide)
+        refuted = _check_given(reading, branch.given, decide, may_fail=True)
+        if refuted:
+            cases.left[reading.title] = refuted
+            continue
+        cases.met.add(reading.title)
         for indices in index_values(branch.statement):
             parts = [branch.title, reading.title, *(f"{letter} = {value}" for letter, value in indices.items())]
             where = ", ".join(part for part in parts if part)
-            for title, claim, note in claims_of(branch.statement, reading, given, stem, indices):
+            for title, claim, note in claims_of(branch.statement, reading, whole, stem, indices):
                 yield RelationVerdict(f"{title} ({where})", decide(claim), note)
+
+
+def said_of(statement: t.Statement) -> tuple[t.Node, ...]:
+    """All sides of a statement, and of what is said after it of its letters."""
+    return (*statement.sides, *(side for said in statement.where for side in said.sides))
 
 
 def _introduces(statement: t.Statement, record: Record) -> bool:
@@ -83,14 +114,23 @@ def _introduces(statement: t.Statement, record: Record) -> bool:
     return conventions_of(str(record.scope)).declared(first.name, first.index).introduced == record.id
 
 
-def _check_given(reading: Components, given: tuple[t.Statement, ...], decide: Judge) -> None:
-    """Equalities that the text assumes must hold in the reading; MeaningError if the theory says otherwise."""
+def _check_given(
+    reading: Components, given: tuple[t.Statement, ...], decide: Judge, *, may_fail: bool = False
+) -> Verdict | None:
+    """What is assumed must hold in the reading; MeaningError if the theory says otherwise.
+
+    may_fail: then a refutation is given back.
+    """
     for statement in given:
         if "->" in statement.operators:
             continue
         for title, claim, _ in claims_of(statement, reading, (), "given"):
-            if decide(claim).verdict != PROVED:
+            verdict = decide(claim)
+            if may_fail and verdict.verdict == REFUTED:
+                return verdict
+            if verdict.verdict != PROVED:
                 raise MeaningError(f"the hypothesis '{title}' does not hold in the theory ({reading.title})")
+    return None
 
 
 def claims_of(

@@ -43,12 +43,13 @@ def readings(theory: Any, sides: tuple[t.Node, ...], given: tuple[t.Statement, .
 def first_with(given: Sequence[t.Statement], candidates: Sequence[Framed]) -> Framed:
     """The first reading in which equalities hold identically; MeaningError if there is none."""
     for reading in candidates:
-        if all(_holds(statement, reading) for statement in given):
+        if all(holds(statement, reading) for statement in given):
             return reading
     raise MeaningError("what the text assumes holds in no reading of this section")
 
 
-def _holds(statement: t.Statement, reading: Framed) -> bool:
+def holds(statement: t.Statement, reading: Framed) -> bool:
+    """Do the sides of an equality have one value?"""
     if set(statement.operators) != {"="}:
         raise MeaningError("only equalities can be assumed in this section")
     values = [reading.of(side) for side in statement.sides]

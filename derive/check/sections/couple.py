@@ -19,7 +19,7 @@ from typing import Any
 from sympy import ImmutableMatrix, Matrix, Symbol, zeros
 
 from derive.check.meaning import Components, MeaningError, ell
-from derive.check.sections.functionals import PART, OnRod
+from derive.check.sections.functionals import ARCS, PART, OnRod
 from derive.check.sections.moving import kept, rates_of, rotation_by
 from derive.check.sections.variation import OTHER
 from derive.paper import tree as t
@@ -71,15 +71,21 @@ class InRod(OnRod):
             case t.Call(name="C_u", args=(end,)) if by == {"volume"}:
                 return self.part(t.Number(0), end) * over_section(value * self.volume)
             case t.RegionProduct(left=t.Name(name="Sigma"), right=t.Interval(lower=lower, upper=upper)):
-                if by - SECTION in ({"varsigma"}, {"s"}) and len(node.by) == 1 + len(SECTION):
+                if len(by & {arc.name for arc in ARCS}) == 1 and len(node.by) == 1 + len(SECTION):
                     return self.part(lower, upper) * over_section(value)
         raise MeaningError(f"an integral by {', '.join(sorted(by))} over such a region has no meaning ({self.title})")
 
+    def rate(self, of: Any, order: int) -> Any:
+        """The derivative along the rod; of what is collected from 0 to s, its density at s."""
+        if order and of.has(PART):
+            of, order = of.diff(PART), order - 1
+        return super().rate(of, order)
+
     def ratio(self, node: t.Derivative, indices: Indices) -> Any:
-        """d of an integral from 0 to s by s: the integrand at s."""
-        if node.by != t.Name("s") or not isinstance(node.of, t.Name) or node.of.name != "L_couple":
-            raise self.absent("such a derivative")
-        return self.name("L_couple").subs(PART, 1)
+        """The derivative along the rod."""
+        if node.by != t.Name("s"):
+            raise self.absent("a derivative but along the rod")
+        return self.rate(to_sympy(node.of, self, indices), 1)
 
 
 def over_section(value: Any) -> Any:
@@ -141,6 +147,6 @@ def _values(couple: Couple, a: Matrix) -> dict[str, Any]:
         # The couple that turns a particle, from the slope of its energy: its work is −δψ for δa = δq × a.
         "l_hat": -a.cross(energy.slope(h, a)), "l_line": couple.by_variation.xreplace(known),
         "m_line": couple.by_variation.xreplace(known), "eta_tilde": line.moduli[eta_tilde], "zero": zeros(3, 1),
-        "s": s, "varsigma": s, "ell": ell,
+        "s": s, "varsigma": Symbol("varsigma", real=True), "ell": ell,
     }  # fmt: skip
     return found

@@ -15,7 +15,7 @@ from typing import Any
 from sympy import Abs, Derivative, Dummy, Expr, ImmutableMatrix, MatrixBase, cancel, sqrt
 from sympy.core.function import AppliedUndef
 
-from derive.check.meaning import Components, ell
+from derive.check.meaning import Components
 from derive.check.sections.moving import Rates, along, elsewhere, skew
 from derive.paper import tree as t
 from derive.paper.symbolic import NONE, Indices, to_sympy
@@ -72,8 +72,6 @@ class Framed(Components):
         value = self.rate(self.name(name), primes)
         if place == s:
             return value
-        if place not in (0, ell):
-            raise self.absent(f"'{name}' at {place}")
         return elsewhere(self.here(value).xreplace(dict(self.at_ends.get(place, {}))), place)
 
     def here(self, value: Any) -> Any:

@@ -1,8 +1,8 @@
 """Section 3, exslrm1 to exslrm6: what its symbols mean in a cantilever whose field is along the force.
 
-The rod is straight before it is loaded, and in equilibrium; its twist vanishes, as the text has shown. What is said to
-vanish does so where all holds that the text assumes, M · e = 0 above all. The other relations of a chain hold without
-that, and are read so.
+The rod is straight before it is loaded. What is said to vanish does so in equilibrium, without twist, and where all
+else holds that the text assumes, M · e = 0 above all. The other relations of a chain hold without that, and are read
+so: in any rod, or as far as the text says without twist or in equilibrium.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from typing import Any
 from sympy import Expr, ImmutableMatrix, Integer, Symbol, solve, sqrt, zeros
 
 from derive.check.meaning import Components, ell
-from derive.check.sections.cantilever import first_with, in_equilibrium
-from derive.check.sections.framed import Framed, State
+from derive.check.sections.cantilever import first_with, holds, in_equilibrium
+from derive.check.sections.framed import HIGHEST, Framed, State
 from derive.check.sections.moving import kept
 from derive.check.sections.variation import MODULI, SIZES
 from derive.paper import tree as t
@@ -30,23 +30,28 @@ PULL = Symbol("F", positive=True)  # the force, along e, N
 def readings(theory: Any, sides: tuple[t.Node, ...], given: tuple[t.Statement, ...]) -> Iterator[Components]:
     """One reading for what vanishes, by what the text assumes, and one for the rest."""
     identities, laws = _all(theory)
-    yield identities
+    fitting = [statement for statement in given if any(holds(statement, reading) for reading in identities)]
+    yield first_with(fitting, identities)
     yield first_with(given, laws)
 
 
 @kept
-def _all(theory: Any) -> tuple[Framed, list[Framed]]:
+def _all(theory: Any) -> tuple[list[Framed], list[Framed]]:
     state: Equilibrium = theory.section2
     kappa = state.balance.couple.line.rod.frame.kappa
     law = in_equilibrium(state, PULL * DIRECTION, DIRECTION)
-    untwisted: dict[Expr, Expr] = {kappa[2]: Integer(0)}
+    untwisted: dict[Expr, Expr] = {kappa[2].diff(s, order): Integer(0) for order in range(HIGHEST + 1)}
     moment = _values(state)["M"].xreplace(untwisted)
     across = solve([moment.dot(DIRECTION)], [kappa[0]], dict=True)[0]
     return (
-        _reading(state, "no twist", [law, untwisted], laws=False),
         [
-            _reading(state, "no twist", [law, untwisted], laws=True),
-            _reading(state, "no twist, no moment along e", [law, untwisted, across], laws=True),
+            _reading(state, "any straight rod", [], laws=False),
+            _reading(state, "no twist", [untwisted], laws=False),
+            _reading(state, "in equilibrium, no twist", [law, untwisted], laws=False),
+        ],
+        [
+            _reading(state, "in equilibrium, no twist", [law, untwisted], laws=True),
+            _reading(state, "in equilibrium, no twist, no moment along e", [law, untwisted, across], laws=True),
         ],
     )
 
