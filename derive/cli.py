@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import argparse
+import importlib
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 
 USAGE, FAILED, INTERRUPTED = 2, 1, 130
+# Where commands are that do not stand in `commands`.
+PLACES = {"check": "commands_check", "explain": "commands_explain", "report": "commands_report"}
 NUMBERS = ("beta", "eta", "length", "clamp-angle", "field-angle")
 
 CHECK_CODES = (
@@ -51,7 +54,7 @@ def parser() -> argparse.ArgumentParser:
     add.add_argument("--check", action="store_true", help="write nothing; exit 1 with a diff on drift")
 
     add = commands.add_parser("explain", parents=[common], help="the chain from a formula back to the energy")
-    add.add_argument("what", metavar="ID|MODULE:LINE", help="claim, formula, or a line of an emitted module")
+    add.add_argument("what", metavar="ID|MODULE:LINE", help="printed label, claim, formula, or a line of an emitted module")
 
     add = commands.add_parser("solve", parents=[common], help="all equilibria of one rod")
     add.add_argument("scene", metavar="SCENE", help="shipped scene, or a scene file")
@@ -76,9 +79,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if not given or (given[0].startswith("-") and given[0] not in ("-h", "--help")):
         given = ["all", *given]
     options = parser().parse_args(given)
-    from derive import commands, commands_check, commands_report
+    from derive import commands
 
-    place = {"check": commands_check, "report": commands_report}.get(options.command, commands)
+    place = importlib.import_module(f"derive.{PLACES.get(options.command, 'commands')}")
     try:
         code: int = getattr(place, f"run_{options.command}")(options)
         return code

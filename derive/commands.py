@@ -122,20 +122,6 @@ def emitted_files(runner: Runner, job: pipeline.Job, folder: Path, *, kernels: b
     return files
 
 
-def run_explain(options: argparse.Namespace) -> int:
-    """The chain of claims from a formula back to the energy."""
-    from derive import explain
-
-    try:
-        chain = explain.explain(options.what, output.default_folder())
-    except explain.NothingToExplainError as error:
-        raise MistakeError(str(error)) from error
-    save(options.json, chain)
-    for line in explain.lines(chain):
-        print(line)
-    return 0
-
-
 def run_solve(options: argparse.Namespace) -> int:
     """All equilibria of one rod."""
     numbers = given_numbers(options)

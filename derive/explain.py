@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from derive import stages
+from derive.grounds import GROUNDS
 
 ENERGY = ("particle", "energy")  # the scripts whose claims are about the energy itself
 LISTED = 5  # near matches in an error
@@ -30,10 +31,10 @@ def explain(what: str, folder: Path) -> dict[str, Any]:
         starts = [f.claim for f in formulas]
     else:
         starts = [f.claim for f in theory.formulas if what == f.name]
-        starts = starts or [c.id for c in claims.values() if what in (c.id, c.source)]
+        starts = starts or [c.id for c in claims.values() if what in (c.id, c.source)] or list(GROUNDS.get(what, ()))
         formulas = [f for f in theory.formulas if f.claim in starts]
     if not starts:
-        known = {*claims, *(f.name for f in theory.formulas), *(c.source for c in claims.values() if c.source)}
+        known = {*claims, *GROUNDS, *(f.name for f in theory.formulas), *(c.source for c in claims.values() if c.source)}
         raise NothingToExplainError(f"'{what}' is no formula, claim or equation of the derivation{near(what, known)}")
     far = distances(claims)
     return {
@@ -126,7 +127,13 @@ def called(here: ast.FunctionDef, line: int, functions: Mapping[str, ast.Functio
 
 
 def lines(chain: Mapping[str, Any]) -> Iterator[str]:
-    """The chain as text: the formulas, then each claim with those on which it rests below it, once."""
+    """The chain as text: what is printed, the formulas, then each claim with those on which it rests below it, once."""
+    for formula in chain.get("printed", ()):
+        yield f"printed: {' '.join(formula['printed'].split())}"
+        yield f"    {formula['verdict']} ({formula['method']})"
+        for statement in formula["statements"]:
+            if statement.get("repair"):
+                yield f"    holds: {statement['repair']['latex']}"
     for formula in chain["formulas"]:
         case = f" [{formula['case']}]" if formula["case"] else ""
         yield f"{formula['name']}{case} = {formula['expression']}"

@@ -1,4 +1,4 @@
-"""The main job: derive, judge, emit, prove, run against the references, report; all of it holds, or nothing is written."""
+"""The main job: derive, judge, emit, prove, run against references, report; all of it holds, or nothing is written."""
 
 from __future__ import annotations
 

@@ -71,8 +71,8 @@ def derived(theory: Any, record: Record, statement: t.Statement, given: tuple[t.
             latex = in_lines(one.form, record.scope or "")
             if len(latex) > LONGEST:
                 return Derived((), "too long to be read; both sides were compared in the theory")
-            must_hold(latex, one, record)
-            found.setdefault(latex, []).append(one.title)
+            if holds(latex, one, record):
+                found.setdefault(latex, []).append(one.title)
     except SilentError as reason:
         return Derived((), str(reason))
     except MeaningError:  # the verdict says what has no meaning
@@ -117,16 +117,15 @@ def placed(theory: Any, record: Record, statement: t.Statement, given: tuple[t.S
                 yield Placed(form, reading, assumed, title)
 
 
-def must_hold(latex: str, one: Placed, record: Record) -> None:
-    """ReadBackError unless the LaTeX reads back as the form and is proved in its reading."""
+def holds(latex: str, one: Placed, record: Record) -> bool:
+    """Is the LaTeX, read back, the form, and proved in its reading? ReadBackError if not; False if it says nothing there."""
     back = parse(latex, record.scope or "")
     if back != [one.form]:
         raise ReadBackError(f"{record.id}: the derived form does not read back: {latex}")
     claims = list(claims_of(back[0], one.reading, one.given, record.id))
-    if not claims:
-        raise ReadBackError(f"{record.id}: the derived form says nothing ({one.title}): {latex}")
     for title, claim, _ in claims:
         verdict = judge(claim, SECONDS)
         if verdict.verdict != PROVED:
             said = f"{verdict.verdict}, {verdict.reason or verdict.counterexample}"
             raise ReadBackError(f"{record.id}: the derived form is not proved ({title}, {one.title}; {said}): {latex}")
+    return bool(claims)

@@ -37,6 +37,9 @@ TITLES = {
 SIDES = {"lhs": "left side", "rhs": "right side"}
 
 
+Derived = Mapping[str, Sequence[Record]]  # the derived forms of the statements of each formula
+
+
 def document(
     formulas: Sequence[Record],
     derived: Mapping[str, Sequence[Record]],

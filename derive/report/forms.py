@@ -34,7 +34,7 @@ def form_in(
     if operator not in ("=", "->"):
         return t.Statement((valued.instance(statement.sides[0]), valued.of(statement.sides[1])), (operator,))
     first, other = valued.instance(statement.sides[0]), names(*statement.sides[1:])
-    for side in statement.sides:
+    for side in linked(statement):
         value = valued.of(side)
         if not same(value, first, scope) and (len(names(value)) != 1 or names(value) & other):
             return t.Statement((first, value), (operator,))
@@ -42,6 +42,15 @@ def form_in(
         named = replace(statement, sides=(name, *statement.sides))
         return t.Statement((name, Valued(reading, scope, named, given, indices).of(name)), (operator,))
     raise SilentError("an identity of its letters: the difference of its sides reduces to zero")
+
+
+def linked(statement: t.Statement) -> Iterator[t.Node]:
+    """The first side, and those that are said to equal it (or to be what it tends to)."""
+    yield statement.sides[0]
+    for side, operator in zip(statement.sides[1:], statement.operators, strict=True):
+        if operator not in ("=", "->"):
+            return
+        yield side
 
 
 def same(one: t.Node, other: t.Node, scope: str) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from itertools import product
 from typing import Any
 
 from sympy import Matrix, MatrixBase, eye
@@ -12,7 +13,7 @@ from derive.check.meaning import Components
 from derive.paper import tree as t
 from derive.paper.conventions import Scope
 from derive.paper.symbolic import Indices, member
-from derive.report.tidy import SpellError, negative
+from derive.report.tidy import SpellError
 
 Write = Callable[[Any], t.Node]  # of a scalar
 
@@ -28,27 +29,27 @@ def instance(node: t.Node, indices: Indices) -> t.Node:
 
 def spelled_vector(value: MatrixBase, reading: Components, scope: Scope, write: Write) -> t.Node:
     """A vector or tensor in components as a sum over base vectors; SpellError if there are no letters for it."""
-    if value.is_zero_matrix:
-        return t.Number(0)
+    written = {place: write(value[place]) for place in product(range(value.rows), range(value.cols))}
+    given = {place: scalar for place, scalar in written.items() if scalar != t.Number(0)}
+    if not given:
+        return t.Name("zero", t.VECTOR) if value.cols == 1 and "zero" in scope.by_name else t.Number(0)
     base = base_vectors(reading, scope)
-    terms: list[t.Node] = []
-    for row in range(value.rows):
-        for column in range(value.cols):
-            if value[row, column] != 0:
-                terms.append(component(value[row, column], base[row], base[column] if value.cols > 1 else None, write))
+    terms = []
+    for (row, column), scalar in given.items():
+        terms.append(component(scalar, t.Outer(base[row], base[column]) if value.cols > 1 else base[row]))
     return terms[0] if len(terms) == 1 else t.Sum(tuple(terms))
 
 
-def component(value: Any, left: t.Node, right: t.Node | None, write: Write) -> t.Node:
-    """One component times its base vector, or times the product of two."""
-    if negative(value):
-        return t.Signed("-", component(-value, left, right, write))
-    vector = left if right is None else t.Outer(left, right)
-    if value == 1:
-        return vector
-    scalar = write(value)
-    factors = scalar.factors if isinstance(scalar, t.Product) else (scalar,)
-    return t.Product((*factors, vector))
+def component(scalar: t.Node, vector: t.Node) -> t.Node:
+    """One component times its base vector, or times the product of two; its sign before it."""
+    match scalar:
+        case t.Signed(sign="-"):
+            return t.Signed("-", component(scalar.of, vector))
+        case t.Number(value=1):
+            return vector
+        case t.Product():
+            return t.Product((*scalar.factors, vector))
+    return t.Product((scalar, vector))
 
 
 def base_vectors(reading: Components, scope: Scope) -> list[t.Node]:
