@@ -87,7 +87,12 @@ class Letters:
             ),
         ]  # fmt: skip
         if functions:
-            made = st.builds(lambda one, of, primes: t.Call(one.name, (of,), primes), st.sampled_from(functions), inner, st.integers(0, 2))
+            made = st.builds(
+                lambda one, of, primes: t.Call(one.name, (of,), primes),
+                st.sampled_from(functions),
+                inner,
+                st.integers(0, 2),
+            )
             found += [made, made.map(lambda call: t.Power(call, t.Number(3)))]
         if "O" in self.scope.by_name:
             found.append(inner.map(t.BigO))

@@ -53,7 +53,6 @@ class Place:
             self.made[digits, sign, small] = Values(self, digits, special)
         return self.made[digits, sign, small]
 
-
     def whole(self, node: t.Node, indices: Indices) -> Any:
         """The SymPy value of a side."""
         key = ("whole", node, indices)
