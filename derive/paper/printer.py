@@ -126,14 +126,14 @@ class Printer:
                 return self.scope.declared(node.name, node.index).latex
             case t.Call():
                 return self.call(node, "")
-            case t.Primed(of=t.Name()):
-                return f"{self._scripted(node.of)}{primes(node.order)}"
+            case t.Primed(of=t.Name() as name):
+                return f"{self._scripted(name)}{primes(node.order)}"
             case t.Primed():
                 return f"{self.bracket(node.of)}{primes(node.order)}"
             case t.Power():
                 return self._power(node)
-            case t.Transpose(of=t.Name()):
-                return rf"{self._scripted(node.of)}^{{\mathsf{{T}}}}"
+            case t.Transpose(of=t.Name() as name):
+                return rf"{self._scripted(name)}^{{\mathsf{{T}}}}"
             case t.Transpose():
                 return rf"{self.bracket(node.of)}^{{\mathsf{{T}}}}"
         layout: Callable[[Printer, t.Node], str] | None = LAYOUTS.get(type(node))

@@ -76,7 +76,8 @@ def on_line(case: LoadCase, functions: Weierstrass, at: Expansion, title: str) -
 
 def _moving(reading: OnRod, here: Expr) -> OnRod:
     """The names that move along the rod, with u = here, and their rates."""
-    assert reading.solution is not None and reading.invariants is not None
+    assert reading.solution is not None
+    assert reading.invariants is not None
     value = fn.wp(here, *reading.invariants)
     cosine = reading.solution(value)
     curvature = sqrt(reading.polynomials["f_hat"].subs(xi, cosine))
