@@ -52,7 +52,7 @@ turned = t.Cross(kappa, d_alpha)
         ),
         (
             "variation",
-            r"(\boldsymbol{d}_3 \cdot \boldsymbol{e}) \, \boldsymbol{d}_3 \times \boldsymbol{e} \cdot \delta \boldsymbol{q}",
+            r"(\boldsymbol d_3 \cdot \boldsymbol e) \, \boldsymbol d_3 \times \boldsymbol e \cdot \delta \boldsymbol q",
             t.Product((t.Dot(d3, e), t.Dot(t.Cross(d3, e), t.Varied(vector("q"))))),
         ),
         (
@@ -122,7 +122,7 @@ xi, varsigma = t.Name("xi"), t.Name("varsigma")
         (r"\sin^{-1} \xi", t.Call("asin", (xi,))),
         (r"\wp^{-1} c", t.Call("wp_inverse", (t.Name("c"),))),
         (r"\ln \frac{\sigma(u)}{2}", t.Call("ln", (t.Quotient(t.Call("wsigma", (t.Name("u"),)), t.Number(2)),))),
-        (r"\max_{s \in (0, \ell)} \{ \xi, 2 \}", t.Maximum((xi, t.Number(2)), s, t.Interval(t.Number(0), ell, True, True))),
+        (r"\max_{s \in [0, \ell]} \{ \xi, 2 \}", t.Maximum((xi, t.Number(2)), s, t.Interval(t.Number(0), ell))),
         (r"z(\xi)", t.Call("z", (xi,))),
     ],
 )  # fmt: skip
@@ -132,7 +132,13 @@ def test_forms(latex, tree):
 
 @pytest.mark.parametrize(
     ("latex", "left_open", "right_open"),
-    [("[a, b]", False, False), ("]a, b[", True, True), ("(a, b)", True, True), ("]a, b]", True, False), ("[a, b[", False, True)],
+    [
+        ("[a, b]", False, False),
+        ("]a, b[", True, True),
+        ("(a, b)", True, True),
+        ("]a, b]", True, False),
+        ("[a, b[", False, True),
+    ],
 )  # fmt: skip
 def test_intervals(latex, left_open, right_open):
     (statement,) = parse(rf"\xi \in {latex}", "parallel")
@@ -215,7 +221,7 @@ def test_an_index_written_too_often_is_found():
         ("kirchhoff", r"\boldsymbol d_i = \boldsymbol d_k", "the index i, k is free"),
         ("kirchhoff", r"\boldsymbol d_i + \boldsymbol d_1 = \boldsymbol 0", "the index i is free"),
         ("kirchhoff", r"\boldsymbol d_i \cdot \boldsymbol d_i \boldsymbol d_i = \boldsymbol 0", "summed in one factor"),
-        ("kirchhoff", r"(\boldsymbol d_i \cdot \boldsymbol d_i) (\boldsymbol d_i \cdot \boldsymbol d_i) = 9", "summed in"),
+        ("kirchhoff", r"\boldsymbol d_i \cdot \boldsymbol d_i (\boldsymbol d_i \cdot \boldsymbol d_i) = 9", "summed"),
         ("kirchhoff", r"\kappa_i^2 = 1", "write the product"),
         ("kirchhoff", r"\boldsymbol d_i = \boldsymbol d_i \,, i = 1, 2", "takes the values 1, 2, 3"),
         ("kirchhoff", r"\boldsymbol d_1 = \boldsymbol d_1 \,, i = 1, 2, 3", "not declared"),
@@ -228,6 +234,12 @@ def test_an_index_written_too_often_is_found():
         ("kirchhoff", r"\boldsymbol d_1 \otimes \boldsymbol d_2 \otimes \boldsymbol d_3 = 0", "two"),
         ("kirchhoff", r"\boldsymbol d_1^{\mathsf T} = 0", "only a tensor has a transpose"),
         ("kirchhoff", r"\boldsymbol C^2 = 0", "a tensor an inverse"),
+        ("kirchhoff", r"\boldsymbol Q^{-1}^{\mathsf T} = 0", "two powers"),
+        ("kirchhoff", r"\boldsymbol Q^{\mathsf T} (s)^{-1} = 0", "a second power"),
+        ("kirchhoff", r"h = O^2 (\varepsilon)", "nothing is written on O"),
+        ("parallel", r"\gamma = \xi^{s=1} (s)", "between a symbol and its argument"),
+        ("parallel", r"\gamma = \int \xi \, d \xi \, \partial s", "where does the integral end"),
+        ("parallel", r"\gamma = \xi^\hat{f}", "needs an argument"),
         ("kirchhoff", r"\boldsymbol C + \boldsymbol d_1 = 0", "check the types"),
         ("kirchhoff", r"| \boldsymbol C | = 0", "between bars"),
         ("kirchhoff", r"\boldsymbol d_1 = O(\varepsilon) + h", "check the types"),
@@ -274,7 +286,8 @@ def test_running_text_is_read():
         "orthogonal": [r"\xi(u)|_{u=\bar{u}} = -1", r"\overline{\gamma} = \eta - \gamma"],
         "magnetization": [
             r"\chi = \big(\chi_{\|}^{-1} + N_{\|}\big)^{-1} - \big(\chi_{\perp}^{-1} + N_{\perp} \big)^{-1}",
-            r"\boldsymbol{a} = \boldsymbol{\mathsf{F}} \boldsymbol{a}^{\mathrm u} / |\boldsymbol{\mathsf{F}} \boldsymbol{a}^{\mathrm u}|",
+            r"\boldsymbol a = \boldsymbol{\mathsf F} \boldsymbol a^{\rm u}"
+            r" / |\boldsymbol{\mathsf F} \boldsymbol a^{\rm u}|",
         ],
         "kirchhoff": [
             r"\boldsymbol{\kappa} = \boldsymbol{\kappa}(s) = \kappa_i (s) \boldsymbol{d}_i (s)",

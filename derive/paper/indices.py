@@ -109,8 +109,9 @@ def _alternatives(whole: t.Node, parts: list[_Read], complain: Complain) -> _Rea
 
 def _no_clash(parts: list[_Read], complain: Complain, apart: bool) -> None:
     """apart: above and below in a fraction each may have its own sum over the same letter."""
-    for place, part in enumerate(parts):
-        for other in parts[:place]:
+    written = [part for part in parts if part.bound or part.free]
+    for place, part in enumerate(written):
+        for other in written[:place]:
             shared = (part.bound & set(other.free)) | (other.bound & set(part.free))
             shared |= frozenset() if apart else part.bound & other.bound
             if shared:

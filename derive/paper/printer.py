@@ -153,8 +153,9 @@ class Printer:
             return self.factor(node.base) + exponent
         return self.bracket(node.base) + exponent
 
-    def _scripted(self, node: t.Name | t.Call) -> str:
+    def _scripted(self, node: t.Node) -> str:
         """The letter, ready for a superscript: in braces if it has one of its own."""
+        assert isinstance(node, t.Name | t.Call)
         latex = self.scope.declared(node.name, node.index).latex
         return f"{{{latex}}}" if "^" in latex else latex
 
