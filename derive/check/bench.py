@@ -13,6 +13,7 @@ from typing import Any
 from mpmath import mp
 from sympy import Rational
 
+from derive.check import growth
 from derive.check.branches import Branch, branches, index_values
 from derive.check.components import each, flat
 from derive.check.evaluate import GUARD, UndefinedError
@@ -50,7 +51,8 @@ class Bench:
         for branch in branches(statement):
             for places in self._of(branch):
                 for indices in index_values(branch.statement):
-                    found = self._at(branch.statement, places, tuple(sorted(indices.items())))
+                    here = tuple(sorted(indices.items()))
+                    found = self._at(branch.statement, [p for p in places if _applies(p, branch, here)], here)
                     if found:
                         return found
         return None
@@ -99,6 +101,15 @@ class Bench:
         return None
 
 
+def _applies(place: Place, branch: Branch, indices: Indices) -> bool:
+    """Does nothing that a case assumes fail at the point?"""
+    for given in branch.given:
+        for n, operator in enumerate(given.operators):
+            if operator != "->" and _fails(place, operator, given.sides[n : n + 2], indices):
+                return False
+    return True
+
+
 def _vocabulary(sides: tuple[t.Node, ...]) -> frozenset[Any]:
     """The symbols, applied functions and kinds of operation in the sides: what readings may depend on."""
     nodes = [node for side in sides for node in side.walk()]
@@ -126,6 +137,8 @@ def _fails(place: Place, operator: str, sides: tuple[t.Node, ...], indices: Indi
 def _differ(place: Place, sides: tuple[t.Node, ...], indices: Indices) -> Counterexample | None:
     """With ± on a side, one choice of the sign must make them equal; a vector has one sign for all its components."""
     signs = (1, -1) if _has_sign(place, sides, indices) else (1,)
+    if place.grows(sides, indices):
+        return growth.differ(place, sides, indices, signs, DIGITS)
     found = None
     for sign in signs:
         gap, size = _gap(place.values(DIGITS, sign), sides, indices)

@@ -103,6 +103,26 @@ class Components:
         """In components."""
         return of.inv()
 
+    def accumulates(self, *sides: Any) -> bool:
+        """Does a side hold a quantity that grows along the rod, so that its rate and its start say it all?"""
+        return False
+
+    def at_clamp(self, value: Any) -> Any:
+        """The value at the clamp; None if a constant is left open in it."""
+        return value
+
+    def frontier(self, value: Any, end: Any) -> Any:
+        """What vanishes where the end is one of the range of a value."""
+        raise self.absent("an interval")
+
+    def sign_note(self, sign: str, title: str) -> str:
+        """What is to be said of ± where only one sign will do."""
+        return ""
+
+    def condition(self, sides: Sequence[t.Node]) -> str:
+        """Under what condition, that is not printed, a relation of these sides holds that is proved here."""
+        return ""
+
     def norm(self, of: Any) -> Any:
         """The root of the square."""
         return sqrt(of.dot(of)) if isinstance(of, MatrixBase) else Abs(of)

@@ -10,7 +10,7 @@ from sympy import Expr, Integer, Rational, cos, oo, pi, sqrt
 
 from derive.check import meaning as m
 from derive.check.meaning import Components, Reading
-from derive.check.sections import BY_SCOPE
+from derive.check.sections import BY_SCOPE, plane_shape
 from derive.paper import tree as t
 from derive.theory.claims import Domain
 from derive.theory.load_case import LoadCase, linear_root, xi_tip
@@ -48,6 +48,9 @@ def readings(
         return
     assumed = {(statement.sides[0], statement.sides[-1]) for statement in given}
     at_one = (t.Name("a"), t.Number(1)) in assumed
+    if scope in SECTIONS and (found := plane_shape.readings(theory, scope, sides, names, at_one)) is not None:
+        yield from found
+        return
     for name in SECTIONS[:2] if scope == "plane" else [scope]:
         case, functions = theory.cases[name], theory.weierstrass[name]
         for title, at, to_tip in _roots(case, functions, names, at_one):

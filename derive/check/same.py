@@ -11,7 +11,8 @@ from derive.check.branches import Branch, branches, index_values
 from derive.check.judge import judge
 from derive.check.meaning import Components, pm
 from derive.check.readings import readings
-from derive.check.statements import limit_of, orders
+from derive.check.relations import orders
+from derive.check.statements import limit_of
 from derive.check.verdicts import PROVED
 from derive.paper import tree as t
 from derive.paper.symbolic import Indices

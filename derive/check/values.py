@@ -53,6 +53,26 @@ class Place:
             self.made[digits, sign, small] = Values(self, digits, special)
         return self.made[digits, sign, small]
 
+    def whole(self, node: t.Node, indices: Indices) -> Any:
+        """The SymPy value of a side."""
+        key = ("whole", node, indices)
+        if key not in self.symbolic:
+            self.symbolic[key] = sympify(self.reading.of(node, dict(indices)), strict=True)
+        return self.symbolic[key]
+
+    def rate(self, node: t.Node, indices: Indices) -> Any:
+        """Its derivative along the rod."""
+        key = ("rate", node, indices)
+        if key not in self.symbolic:
+            self.symbolic[key] = sympify(self.reading.rate(self.whole(node, indices), 1), strict=True)
+        return self.symbolic[key]
+
+    def grows(self, sides: tuple[t.Node, ...], indices: Indices) -> bool:
+        """Does a side hold what accumulates along the rod?"""
+        if type(self.reading).accumulates is Components.accumulates:
+            return False
+        return self.reading.accumulates(*(self.whole(side, indices) for side in sides))
+
 
 class Values:
     """The values of trees in a reading at one point of it, which grows by the unknowns that are met.

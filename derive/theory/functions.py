@@ -3,6 +3,7 @@
 They are names with derivatives, nothing more: proving lives in ``check``, computing in the emitted kernels.
 
 - ``wp(u, g2, g3)``, ``wp_prime``, ``wzeta``, ``wsigma``: Weierstrass functions of invariants g₂, g₃ (DLMF 23.2).
+- ``half_period(n, g2, g3)`` and ``perimeter_point(c, g2, g3)``: where, on the rectangle of half-periods.
 - ``RF(x, y, z)``, ``RC(x, y)``, ``RJ(x, y, z, p)``, ``RD(x, y, z)``: Carlson's symmetric integrals (DLMF 19.16).
 """
 
@@ -60,6 +61,18 @@ class wsigma(Function):  # noqa: N801 - the standard name of the function
         if argindex != 1:
             raise ArgumentIndexError(self, argindex)
         return wzeta(*self.args) * wsigma(*self.args)
+
+
+class half_period(Function):  # noqa: N801 - a constant of the lattice, named like the functions above
+    """ωₙ for real e₁ > e₂ > e₃: ω₁ > 0, ω₃/i > 0 and ω₂ = ω₁ + ω₃, so that ℘(ωₙ) = eₙ (DLMF 23.3(i), 23.5(ii))."""
+
+    nargs = 3
+
+
+class perimeter_point(Function):  # noqa: N801 - named like the functions above
+    """The point with ℘ = c, for real c, on the rectangle 0, ω₁, ω₂, ω₃, around which ℘ runs once through the reals."""
+
+    nargs = 3
 
 
 class RF(Function):
