@@ -5,13 +5,12 @@ Relations are read as ``relations`` says, ± as ``either`` does: one sign for th
 - ``A → B``: a limit, for the limit that the text assumes (its hypothesis ``γ → γ_1``). The target of an arrow does
   not vary, so whatever stands right of an arrow is taken *at* the limit: ``ξ_b → ξ_b = 1 + 2β/η`` says that ξ_b tends
   to its value at the limit, and that this value is 1 + 2β/η. The verdict's reason says where this was needed.
+- ``A = B`` where the text drops what is O(εⁿ): the difference is of that order.
 - Cases: each is judged where its condition holds; where none of them holds, the statement is refuted.
 
 A formula that holds along every rod, but with a sign or a branch that is not printed, is PROVED, and the condition
 that was found is in the verdict's reason: ± that changes its sense along a rod, a logarithm whose principal value
 jumps. What the printed signs cannot mend, at any point of any rod, is REFUTED there.
-
-- ``A = B`` where the text drops what is O(εⁿ): the difference is of that order.
 
 An equality that holds is a DEFINITION if it introduces a name, as the conventions say of the name: alone on the first
 side, under no hypothesis. Everything else that is proved is PROVED. Nothing is looked up: verdicts are computed.
@@ -97,7 +96,7 @@ def _of_branch(
                 RelationVerdict(f"{title} ({where})", decide(claim), note)
                 for title, claim, note in claims_of(branch.statement, reading, whole, stem, indices)
             ]
-            if all(one.verdict.verdict == PROVED for one in made):
+            if made and all(one.verdict.verdict == PROVED for one in made):
                 condition = reading.condition(branch.statement.sides)
                 made[-1] = replace(made[-1], note="; ".join(filter(None, (made[-1].note, condition))))
             yield from made
