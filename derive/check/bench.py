@@ -44,6 +44,7 @@ class Bench:
     def __init__(self, theory: Any, scope: str, given: tuple[t.Statement, ...]) -> None:
         self.theory, self.scope, self.given = theory, scope, given
         self._places: dict[Any, list[list[Place]]] = {}
+        self._of_reading: dict[int, list[Place]] = {}
 
     def counterexample(self, statement: t.Statement) -> Counterexample | None:
         """A point at which the statement fails, or None. ValueError where it has no meaning."""
@@ -74,8 +75,14 @@ class Bench:
         key = (_vocabulary(sides), given)
         if key not in self._places:
             found = readings(self.theory, self.scope, sides, given)
-            self._places[key] = [list(_places(reading)) for reading in found]
+            self._places[key] = [self._in(reading) for reading in found]
         return self._places[key]
+
+    def _in(self, reading: Components) -> list[Place]:
+        """The places of a reading; one that a section gives for several statements keeps its own."""
+        if id(reading) not in self._of_reading:  # its places hold the reading, so that no other has its id
+            self._of_reading[id(reading)] = list(_places(reading))
+        return self._of_reading[id(reading)]
 
     def _at(self, statement: t.Statement, places: list[Place], indices: Indices) -> Counterexample | None:
         done = 0
@@ -122,7 +129,8 @@ def _fails(place: Place, operator: str, sides: tuple[t.Node, ...], indices: Indi
         return None
     if operator == "=":
         orders = [node for side in sides for node in side.walk() if isinstance(node, t.BigO)]
-        return _order_fails(place, sides, orders, indices) if orders else _differ(place, sides, indices)
+        compared = orders or place.reading.within is not None
+        return _order_fails(place, sides, orders, indices) if compared else _differ(place, sides, indices)
     return _unordered(place, SIGNS[operator], sides, indices) if operator in SIGNS else None
 
 
@@ -170,7 +178,8 @@ def _order_fails(
         gap, size = _gap(values, sides, indices)
         if gap <= size * mp.mpf(10) ** (-2 * DIGITS):
             return None
-        power = min(_exponent(values, node, indices, step) for node in orders)
+        powers = [_exponent(values, node, indices, step) for node in orders]
+        power = min([*powers, *([] if place.reading.within is None else [place.reading.within])])
         sizes.append(gap)
     measured = mp.log10(sizes[0] / sizes[1]) / (SMALL[1] - SMALL[0])
     if measured >= power - SLACK:

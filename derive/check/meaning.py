@@ -61,6 +61,10 @@ class Components:
         """Is a relation between these sides read here? A reading may be of laws only, or of identities only."""
         return True
 
+    def spread(self, node: t.Node) -> tuple[Any, t.Node] | None:
+        """A factor and a tree whose values make that of the node, for those that compute in numbers; None if none."""
+        return None
+
     def absent(self, what: object) -> MeaningError:
         """The error for what has no meaning here."""
         return MeaningError(f"{what} has no meaning where the formula is read ({self.title})")

@@ -47,7 +47,9 @@ def _equal(left: Any, right: Any, reading: Components) -> Iterator[Said]:
         yield "at the clamp", Equal(*starts)
 
 
-def membership(operator: str, value: Any, ends: tuple[Any, Any], node: t.Interval, reading: Components) -> Iterator[Said]:
+def membership(
+    operator: str, value: Any, ends: tuple[Any, Any], node: t.Interval, reading: Components
+) -> Iterator[Said]:
     """x ∈ interval or x ∉ interval. An end that x can reach must be inside, or outside; an end is one of a range."""
     (lower, upper), opens = ends, (node.left_open, node.right_open)
     if operator == "in":
@@ -64,19 +66,20 @@ def membership(operator: str, value: Any, ends: tuple[Any, Any], node: t.Interva
 
 
 def orders(sides: tuple[t.Node, ...], reading: Components, indices: Indices) -> list[int]:
-    """The powers of the small parameter in the O(εⁿ) of two sides."""
+    """The powers of the small parameter in the O(εⁿ) of two sides, and the one that the text drops."""
     found = [node for side in sides for node in side.walk() if isinstance(node, t.BigO)]
     if found and reading.small is None:
         raise MeaningError(f"O(…) has no meaning where the formula is read ({reading.title})")
-    powers = [reading.of(node.of, indices).as_base_exp() for node in found]
-    if any(base != reading.small or not exponent.is_Integer for base, exponent in powers):
+    factors = [reading.of(node.of, indices).as_coeff_exponent(reading.small) for node in found]
+    if any(coefficient.has(reading.small) or not exponent.is_Integer for coefficient, exponent in factors):
         raise MeaningError(f"an O(…) must hold a power of {reading.small}")
-    return [int(exponent) for _, exponent in powers]
+    dropped = [] if reading.within is None else [reading.within]
+    return [int(exponent) for _, exponent in factors] + dropped
 
 
 def order(left: Any, right: Any, reading: Components, power: int, side: t.Node) -> Order:
     """left − right = O(εⁿ). A quantity that is only said to be small is squared first, so that roots go."""
     assert reading.small is not None
     if isinstance(side, t.BigO) and not isinstance(left, MatrixBase):
-        return Order(left**2, reading.small, 2 * power)
+        return Order((left**2).expand(), reading.small, 2 * power)
     return Order(left - right, reading.small, power)

@@ -5,14 +5,15 @@ Relations are read as ``relations`` says, ± as ``either`` does: one sign for th
 - ``A → B``: a limit, for the limit that the text assumes (its hypothesis ``γ → γ_1``). The target of an arrow does
   not vary, so whatever stands right of an arrow is taken *at* the limit: ``ξ_b → ξ_b = 1 + 2β/η`` says that ξ_b tends
   to its value at the limit, and that this value is 1 + 2β/η. The verdict's reason says where this was needed.
+- ``A = B`` where the text drops what is O(εⁿ): the difference is of that order.
 - Cases: each is judged where its condition holds; where none of them holds, the statement is refuted.
 
 A formula that holds along every rod, but with a sign or a branch that is not printed, is PROVED, and the condition
 that was found is in the verdict's reason: ± that changes its sense along a rod, a logarithm whose principal value
 jumps. What the printed signs cannot mend, at any point of any rod, is REFUTED there.
 
-An equality that holds is a DEFINITION if it introduces a conventional name: the name alone on its first side, under
-no hypothesis. Everything else that is proved is PROVED. Nothing is looked up: verdicts are computed.
+An equality that holds is a DEFINITION if it introduces a name, as the conventions say of the name: alone on the first
+side, under no hypothesis. Everything else that is proved is PROVED. Nothing is looked up: verdicts are computed.
 """
 
 from __future__ import annotations
@@ -31,11 +32,11 @@ from derive.check.readings import readings
 from derive.check.report import RelationVerdict, StatementVerdict, statement_verdict
 from derive.check.verdicts import DEFINITION, PROVED, REFUTED, UNKNOWN, Verdict
 from derive.paper import tree as t
+from derive.paper.conventions import scope as conventions_of
 from derive.paper.ledger import Record
 from derive.paper.symbolic import NONE, Indices
 from derive.theory.claims import Claim, Domain, Limit
 
-CONVENTIONAL = {"xi", "b", "c", "varkappa", "u_o"}  # names that the article chooses; the others are derived in the theory
 Judge = Callable[[Claim], Verdict]
 
 
@@ -52,7 +53,7 @@ def judge_statement(
         found += [RelationVerdict(f"no case ({title})", verdict) for title, verdict in cases.open()]
     except ValueError as reason:  # MeaningError, or an expression that SymPy cannot form
         found.append(RelationVerdict("meaning", Verdict(record.id, UNKNOWN, "none", None, str(reason))))
-    defines = not given and _introduces(statement)
+    defines = not given and _introduces(statement, record)
     passed = bool(found) and all(relation.verdict.verdict == PROVED for relation in found)
     latex = record.latex[statement.span[0] : statement.span[1]] if statement.span[1] else ""
     return statement_verdict(latex, found, time.perf_counter() - start, DEFINITION if defines and passed else None)
@@ -95,7 +96,7 @@ def _of_branch(
                 RelationVerdict(f"{title} ({where})", decide(claim), note)
                 for title, claim, note in claims_of(branch.statement, reading, whole, stem, indices)
             ]
-            if all(one.verdict.verdict == PROVED for one in made):
+            if made and all(one.verdict.verdict == PROVED for one in made):
                 condition = reading.condition(branch.statement.sides)
                 made[-1] = replace(made[-1], note="; ".join(filter(None, (made[-1].note, condition))))
             yield from made
@@ -106,13 +107,16 @@ def said_of(statement: t.Statement) -> tuple[t.Node, ...]:
     return (*statement.sides, *(side for said in statement.where for side in said.sides))
 
 
-def _introduces(statement: t.Statement) -> bool:
-    """Is the first side a conventional name, alone (ϰ also at its variable), and every relation an equality?"""
+def _introduces(statement: t.Statement, record: Record) -> bool:
+    """Is the first side a name that this display introduces, alone or at variables, and every relation an equality?"""
     first = statement.sides[0]
-    name = first.name if isinstance(first, t.Name) else ""
-    if isinstance(first, t.Call) and first.name == "varkappa" and isinstance(first.args[0], t.Name):
-        name = first.name
-    return name in CONVENTIONAL and set(statement.operators) == {"="}
+    alone = isinstance(first, t.Name) or (
+        isinstance(first, t.Call) and not first.primes and all(isinstance(arg, t.Name) for arg in first.args)
+    )
+    if not alone or set(statement.operators) != {"="}:
+        return False
+    assert isinstance(first, t.Name | t.Call)
+    return conventions_of(str(record.scope)).declared(first.name, first.index).introduced == record.id
 
 
 def _check_given(

@@ -86,7 +86,9 @@ def _claim_slope(
 ) -> None:
     """℘′(v) with its sign, from the side on which v lies (text after exsl29, exhpf13bis)."""
     (place, strength), side = (value.subs({case.constant: case.tip_constant}) for value in pole), SIDES[one.pole]
-    slope = Equal(side.slope(place, (halves[0], halves[1], halves[2])), slope_by_field(side, abs(case.stiffness), strength))
+    slope = Equal(
+        side.slope(place, (halves[0], halves[1], halves[2])), slope_by_field(side, abs(case.stiffness), strength)
+    )
     rests = (*rests, f"weierstrass.side_{one.pole.strip('()').replace(', ', '_')}", *case.ids("weierstrass.slope"))
     title, source = f"{one.condition}: ℘′(v) on {one.pole}", case.source("slope on side")
     book.claim(f"{name}_slope", title, slope, domain=one.domain, steps=rests, source=source)

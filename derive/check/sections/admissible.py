@@ -37,9 +37,7 @@ def readings(case: LoadCase, functions: Weierstrass) -> Iterator[OnRod]:
                 yield _at_root(case, base, f"on the straight rod ξ = {side}", domain, side, first)
 
 
-def _at_root(
-    case: LoadCase, base: OnRod, title: str, domain: Domain, value: Integer | None, is_first: bool
-) -> OnRod:
+def _at_root(case: LoadCase, base: OnRod, title: str, domain: Domain, value: Integer | None, is_first: bool) -> OnRod:
     """ξ at a root of f̂: the smaller one if is_first; value: ±1, or any ξ(ℓ)."""
     here = xi_tip if value is None else value
 

@@ -22,7 +22,7 @@ from derive.theory import functions as fn
 from derive.theory.claims import Domain
 from derive.theory.load_case import LoadCase, xi_tip
 from derive.theory.perimeter import SIDES, slope_by_field
-from derive.theory.symbols import theta, xi
+from derive.theory.symbols import xi
 from derive.theory.uo_cases import HALF_PERIODS, UoCase
 from derive.theory.weierstrass import Expansion, Weierstrass
 
@@ -140,9 +140,7 @@ def _roots(case: LoadCase, one: UoCase) -> dict[str, Expr]:
     return dict(zip(("xi_a", "xi_b"), pair, strict=True))
 
 
-def _at_corners(
-    case: LoadCase, functions: Weierstrass, one: UoCase, at: Expansion
-) -> tuple[tuple[Expr, Expr], ...]:
+def _at_corners(case: LoadCase, functions: Weierstrass, one: UoCase, at: Expansion) -> tuple[tuple[Expr, Expr], ...]:
     """℘ and ℘′ at the half-periods and at v."""
     to_tip = {case.constant: case.tip_constant}
     g2, g3 = functions.g2.subs(to_tip), functions.g3.subs(to_tip)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+
 from sympy import Expr, Integer, Symbol, acos, oo, sqrt
 
 from derive.check import meaning as m
