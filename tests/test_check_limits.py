@@ -95,3 +95,19 @@ def test_without_a_limit_nothing_is_set():
         pass
     with pytest.raises(TimeLimit, match=r"no proof in 0\.05 s"), limited(0.05):
         idle()
+
+
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
+def test_a_limit_that_is_swallowed_by_a_finalizer_is_said_again():
+    class Slow:
+        def __del__(self):
+            end = time.monotonic() + 0.4
+            while time.monotonic() < end:
+                pass
+
+    def swallow_then_idle():
+        Slow()  # the first alarm rings in its finalizer, where no exception gets out
+        idle()
+
+    with pytest.raises(TimeLimit), limited(0.2):
+        swallow_then_idle()

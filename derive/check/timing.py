@@ -12,6 +12,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
+AGAIN = 1.0  # seconds between alarms: one that rings inside a finalizer is swallowed there
+
 
 class TimeLimit(BaseException):
     """The time is up. Not an Exception, so that nothing on the way swallows it."""
@@ -37,7 +39,7 @@ def _alarm(seconds: float) -> Iterator[None]:
         raise TimeLimit
 
     before = signal.signal(signal.SIGALRM, ring)
-    signal.setitimer(signal.ITIMER_REAL, seconds)
+    signal.setitimer(signal.ITIMER_REAL, seconds, AGAIN)
     try:
         yield
     finally:
