@@ -54,7 +54,9 @@ def parser() -> argparse.ArgumentParser:
     add.add_argument("--check", action="store_true", help="write nothing; exit 1 with a diff on drift")
 
     add = commands.add_parser("explain", parents=[common], help="the chain from a formula back to the energy")
-    add.add_argument("what", metavar="ID|MODULE:LINE", help="printed label, claim, formula, or a line of an emitted module")
+    add.add_argument(
+        "what", metavar="ID|MODULE:LINE", help="printed label, claim, formula, or a line of an emitted module"
+    )
 
     add = commands.add_parser("solve", parents=[common], help="all equilibria of one rod")
     add.add_argument("scene", metavar="SCENE", help="shipped scene, or a scene file")

@@ -34,7 +34,12 @@ def explain(what: str, folder: Path) -> dict[str, Any]:
         starts = starts or [c.id for c in claims.values() if what in (c.id, c.source)] or list(GROUNDS.get(what, ()))
         formulas = [f for f in theory.formulas if f.claim in starts]
     if not starts:
-        known = {*claims, *GROUNDS, *(f.name for f in theory.formulas), *(c.source for c in claims.values() if c.source)}
+        known = {
+            *claims,
+            *GROUNDS,
+            *(f.name for f in theory.formulas),
+            *(c.source for c in claims.values() if c.source),
+        }
         raise NothingToExplainError(f"'{what}' is no formula, claim or equation of the derivation{near(what, known)}")
     far = distances(claims)
     return {
