@@ -95,9 +95,13 @@ def unvalued(statement: t.Statement) -> str:
 
 @dataclass(frozen=True)
 class Placed:
-    """A derived statement in one reading, for one choice of indices; title says which."""
+    """A derived statement in one reading, for one choice of indices; title says which.
+
+    repeats: the value is that of a printed side, since the first has none but its name.
+    """
 
     form: t.Statement
+    repeats: bool
     reading: Components
     given: tuple[t.Statement, ...]
     title: str
@@ -111,20 +115,25 @@ def placed(theory: Any, record: Record, statement: t.Statement, given: tuple[t.S
             if not reading.reads(*branch.statement.sides[:2]):
                 continue
             for indices in index_values(branch.statement):
-                form = form_in(reading, record.scope or "", branch.statement, assumed, indices)
+                form, repeats = form_in(reading, record.scope or "", branch.statement, assumed, indices)
                 named = (f"{letter} = {value}" for letter, value in indices.items())
                 title = ", ".join(part for part in (branch.title, reading.title, *named) if part)
-                yield Placed(form, reading, assumed, title)
+                yield Placed(form, repeats, reading, assumed, title)
 
 
 def holds(latex: str, one: Placed, record: Record) -> bool:
-    """Is the LaTeX, read back, the form, and proved in its reading? ReadBackError if not; False if it says nothing there."""
+    """Is the LaTeX, read back, the form, and proved in its reading? ReadBackError if not.
+
+    False if the form says nothing there, or if it repeats what is printed and that does not hold.
+    """
     back = parse(latex, record.scope or "")
     if back != [one.form]:
         raise ReadBackError(f"{record.id}: the derived form does not read back: {latex}")
     claims = list(claims_of(back[0], one.reading, one.given, record.id))
     for title, claim, _ in claims:
         verdict = judge(claim, SECONDS)
+        if verdict.verdict != PROVED and one.repeats:
+            return False
         if verdict.verdict != PROVED:
             said = f"{verdict.verdict}, {verdict.reason or verdict.counterexample}"
             raise ReadBackError(f"{record.id}: the derived form is not proved ({title}, {one.title}; {said}): {latex}")

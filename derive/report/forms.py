@@ -23,24 +23,26 @@ class SilentError(ValueError):
 
 def form_in(
     reading: Components, scope: str, statement: t.Statement, given: tuple[t.Statement, ...], indices: Indices
-) -> t.Statement:
+) -> tuple[t.Statement, bool]:
     """``side operator value``: the first side, unless its value says nothing of the others.
 
     Then the constant of integration that the statement names, by its value. Of an inequality, the second side is
     valued. SilentError if there is nothing to say.
+
+    The second answer: is the value that of a printed side other than the first?
     """
     operator = statement.operators[0]
     valued = Valued(reading, scope, statement, given, indices)
     if operator not in ("=", "->"):
-        return t.Statement((valued.instance(statement.sides[0]), valued.of(statement.sides[1])), (operator,))
+        return t.Statement((valued.instance(statement.sides[0]), valued.of(statement.sides[1])), (operator,)), True
     first, other = valued.instance(statement.sides[0]), names(*statement.sides[1:])
-    for side in linked(statement):
+    for number, side in enumerate(linked(statement)):
         value = valued.of(side)
         if not same(value, first, scope) and (len(names(value)) != 1 or names(value) & other):
-            return t.Statement((first, value), (operator,))
+            return t.Statement((first, value), (operator,)), number > 0
     for name in valued.compound(other):
         named = replace(statement, sides=(name, *statement.sides))
-        return t.Statement((name, Valued(reading, scope, named, given, indices).of(name)), (operator,))
+        return t.Statement((name, Valued(reading, scope, named, given, indices).of(name)), (operator,)), False
     raise SilentError("an identity of its letters: the difference of its sides reduces to zero")
 
 

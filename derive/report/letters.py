@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from sympy import Derivative, Dummy, Expr, Poly, Symbol
+from sympy import Derivative, Dummy, Expr, I, Poly, Symbol
 from sympy.core.function import AppliedUndef
 
 from derive.check.meaning import Components, pm
@@ -55,7 +55,7 @@ class Letters:
         """Trees for what has no parts: of two, the one with the letter's own name, else the first."""
         for node, value in self.valued(nodes):
             own = isinstance(node, t.Name) and node.name == str(value)
-            if is_letter(value) and (own or value not in self.known):
+            if (is_letter(value) or value == I) and (own or value not in self.known):
                 self.known[value] = node
 
     def _functions(self, nodes: Iterable[t.Node]) -> None:
@@ -111,6 +111,7 @@ class Letters:
             if declared.kind == t.SCALAR:
                 yield t.Name(name)
                 if declared.argument:
+                    yield t.Call(name, (t.Number(0),))
                     yield from (t.Call(name, (t.Name(end),)) for end in ENDS if end in self.scope.by_name)
                     yield from (t.Primed(t.Name(name), order) for order in PRIMES)
 

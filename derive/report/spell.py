@@ -18,8 +18,8 @@ from derive.theory import functions as fn
 Known = Mapping[Any, t.Node]  # expression → the tree that stands for it
 # Functions of the theory and of SymPy: the name in the conventions, and the primes it carries.
 FUNCTIONS: dict[Any, tuple[str, int]] = {
-    sp.sin: ("sin", 0), sp.cos: ("cos", 0), sp.asin: ("arcsin", 0), sp.acosh: ("arccosh", 0), sp.log: ("ln", 0),
-    fn.wp: ("wp", 0), fn.wp_prime: ("wp", 1), fn.wzeta: ("zeta", 0), fn.wsigma: ("sigma", 0),
+    sp.sin: ("sin", 0), sp.cos: ("cos", 0), sp.asin: ("asin", 0), sp.acosh: ("acosh", 0), sp.log: ("ln", 0),
+    fn.wp: ("wp", 0), fn.wp_prime: ("wp", 1), fn.wzeta: ("wzeta", 0), fn.wsigma: ("wsigma", 0),
 }  # fmt: skip
 
 
@@ -102,6 +102,10 @@ class Speller:
             return t.Root(self.of(base))
         return t.Power(self.of(base), self.of(exponent))
 
+    def modulus(self, expr: Any) -> t.Node:
+        """An absolute value."""
+        return t.Norm(self.of(expr.args[0]))
+
     def call(self, expr: Any) -> t.Node:
         """A function at its arguments."""
         name, primes = FUNCTIONS.get(expr.func, ("", 0))
@@ -123,5 +127,6 @@ _ROWS: tuple[tuple[Any, Callable[[Speller, Any], t.Node]], ...] = (
     (sp.Add, Speller.total),
     (sp.Mul, Speller.term),
     (sp.Pow, Speller.power),
+    (sp.Abs, Speller.modulus),
     (sp.Function, Speller.call),
 )

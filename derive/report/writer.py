@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
-from sympy import Dummy, Symbol, expand
+from sympy import Dummy, Expr, Symbol, expand
 
 from derive.check.meaning import Components, pm
 from derive.paper import tree as t
@@ -44,26 +45,33 @@ class Writer:
         return min(written, key=lambda node: (len(names(node) - self.own), sum(1 for _ in node.walk())))
 
     def _frozen(self, value: Any, letter: Symbol | None) -> tuple[Any, Speller]:
-        """The value with placeholders for its elliptic functions, and a speller that knows them."""
+        """The value with placeholders for functions that have a letter and for elliptic ones, and a speller for them."""
         known = dict(self.letters.known)
         functions = [name for name, one in self.scope.by_name.items() if one.kind == "function"]
-        signs, moving = {pm: r"\pm"}, self._moving
-        plain = Speller(known, functions, signs, moving)
-        calls = {call for head in FUNCTIONS for call in value.atoms(head) if len(call.args) > INVARIANTS}
-        for call in sorted(calls, key=str):
-            placeholder = Dummy(call.func.__name__)
-            known[placeholder] = known.get(call) or self._call(call, plain)
-            value = value.subs(call, placeholder)
-        return value, Speller(known, functions, signs, moving, letter)
+        speller = Speller(known, functions, {pm: r"\pm"}, self._moving, letter)
+        named = [found for found in known if isinstance(found, Expr) and found.is_Function and value.has(found)]
+        meant: dict[Any, Any] = {}  # placeholders and what they stand for
+        for call in sorted(named, key=str):
+            value = self._put(value, call, known[call], known, meant)
+        elliptic = {call for head in FUNCTIONS for call in value.atoms(head) if len(call.args) > INVARIANTS}
+        for call in sorted(elliptic, key=str):
+            value = self._put(value, call, self._call(call, speller, meant), known, meant)
+        return value, speller
 
-    def _call(self, call: Any, speller: Speller) -> t.Node:
+    @staticmethod
+    def _put(value: Any, call: Any, node: t.Node, known: dict[Any, t.Node], meant: dict[Any, Any]) -> Any:
+        placeholder = Dummy(call.func.__name__)
+        known[placeholder], meant[placeholder] = node, call
+        return value.subs(call, placeholder)
+
+    def _call(self, call: Any, speller: Speller, meant: Mapping[Any, Any]) -> t.Node:
         """℘, ζ or σ; without invariants, if it then still has the value."""
         name, primes = FUNCTIONS[call.func]
         if name not in self.scope.by_name:
             raise SpellError(f"there is no letter for the function {name}")
         arguments = tuple(speller.of(abbreviated(arg, self.letters.short)) for arg in call.args)
-        short = t.Call(name, arguments[:1], primes)
-        if any(found == call for _, found in self.letters.valued([short])):
+        short, whole = t.Call(name, arguments[:1], primes), call.subs(meant)
+        if any(found == whole for _, found in self.letters.valued([short])):
             return short
         return t.Call(name, arguments, primes)
 
