@@ -193,7 +193,7 @@ Rod.values = {
     "h": lambda r: placement.thickness(r.rod.kappa_u, r.kappa, placement.LENGTH),
     "ell": lambda r: placement.LENGTH,
     "s": lambda r: s,
-    "F_tensor": lambda r: r.from_u(r.rod.gradient),
+    "F_tensor": lambda r: Turned.product(r.turned, r.rod.tangents, r.rod.dual_u),
     "Q": lambda r: r.from_u(eye(3)),
     "mu": lambda r: r.rod.mu,
     "force": lambda r: FORCE,
