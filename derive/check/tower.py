@@ -21,7 +21,10 @@ from derive.theory import functions as fn
 Sign = Callable[[sp.Expr], int | None]  # +1, −1, 0 where proved on the domain, None where unknown
 Given = tuple[tuple[sp.Expr, sp.Expr], ...]
 
-PLAIN = (sp.log, sp.atan, sp.asin, sp.acos, sp.acosh, sp.asinh, sp.atanh, fn.RF, fn.RC, fn.RD, fn.RJ)
+PLAIN = (
+    sp.log, sp.atan, sp.asin, sp.acos, sp.acosh, sp.asinh, sp.atanh, sp.Max, fn.RF, fn.RC, fn.RD, fn.RJ,
+    fn.half_period, fn.perimeter_point,
+)  # fmt: skip
 TO_SINE = {
     sp.tan: lambda x: sp.sin(x) / sp.cos(x),
     sp.cot: lambda x: sp.cos(x) / sp.sin(x),
@@ -161,7 +164,7 @@ class Tower:
     def call(self, kind: Any, args: tuple[sp.Expr, ...]) -> sp.Expr:
         """The generator of a function of given arguments, up to proved equality of the arguments."""
         for known, value in self.calls.setdefault(kind, []):
-            if all(self.same(a, b) for a, b in zip(known, args, strict=True)):
+            if len(known) == len(args) and all(self.same(a, b) for a, b in zip(known, args, strict=True)):
                 return value
         value = self._replaced(kind, args)
         if value is None:

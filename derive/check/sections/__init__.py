@@ -11,12 +11,15 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from derive.check.meaning import Components
-from derive.check.sections import cantilever, couple, planarity, variation
+from derive.check.sections import cantilever, couple, line_energy, magnetization, planarity, rod, variation
 from derive.paper import tree as t
 
 Readings = Callable[[Any, tuple[t.Node, ...], tuple[t.Statement, ...]], Iterator[Components]]
 
 BY_SCOPE: dict[str, Readings] = {
+    "kirchhoff": rod.readings,
+    "magnetization": magnetization.readings,
+    "line_energy": line_energy.readings,
     "variation": variation.readings,
     "couple": couple.readings,
     "cantilever": cantilever.readings,

@@ -15,7 +15,9 @@ from typing import Any
 from sympy import Expr, Function, Matrix, MatrixBase, Max, Symbol, eye, zeros
 
 from derive.check.meaning import Components
-from derive.check.sections.moving import along, elsewhere, extent, kept, rates_of, rotation_by, unknown
+from derive.check.sections.moving import Turned, extent, inverse, unknown
+from derive.check.sections.remembered import remembered
+from derive.check.sections.turning import along, elsewhere, rotation
 from derive.paper import tree as t
 from derive.paper.symbolic import Indices, member, to_sympy
 from derive.theory import frame, loads, placement
@@ -27,7 +29,7 @@ from derive.theory.symbols import s
 from derive.theory.variation import Balance
 
 BASIS = (e1, e2, e3)
-TURN = vector_of("r")  # of the undistorted frame from the other
+TURN = rotation("r")  # of the undistorted frame from the other
 E, G, I_AREA, J_TORSION = (Symbol(name, positive=True) for name in ("E", "G", "I", "J"))
 MADE_OF = {EI: E * I_AREA, GJ: G * J_TORSION}
 PHI = Function("phi", real=True)(s)
@@ -52,7 +54,7 @@ class Rod(Components):
     @cached_property
     def turned(self) -> Matrix:
         """The vectors d_i^u as columns: what takes components on d^u to those on d."""
-        return rotation_by(TURN)
+        return TURN.matrix
 
     @cached_property
     def loaded(self) -> loads.Loaded:
@@ -64,11 +66,15 @@ class Rod(Components):
         """Derivatives along the rod of what obeys a law."""
         x, x_u = vector_of("x"), vector_of("x_u")
         fixed = {x: e3, x_u: self.turned[:, 2], **self.uniform}
-        found = dict(rates_of(TURN, self.turned * self.rod.kappa_u - self.kappa))
+        found = dict(TURN.rates(self.turned * self.rod.kappa_u - self.kappa))
         for vector, slope in fixed.items():
             found |= dict(zip(vector.diff(s), slope - self.kappa.cross(vector), strict=True))
         found |= dict(zip(FORCE.diff(s), solved(self.loaded.force, FORCE.diff(s)), strict=True))
         return found | {PHI.diff(s): frame.axis(self.kappa).turn}
+
+    def from_u(self, components: Matrix) -> Turned:
+        """A vector of given components on d^u, or a tensor of given components on d ⊗ d^u."""
+        return Turned.of(self.turned, components)
 
     @property
     def uniform(self) -> dict[Matrix, Matrix]:
@@ -131,8 +137,8 @@ class Rod(Components):
         return elsewhere(to_sympy(node.of, self, indices), to_sympy(node.value, self, indices))
 
     def inverse(self, of: Any) -> Any:
-        """By cofactors."""
-        return of.adjugate() / of.det(method="berkowitz")
+        """By the products of its rows."""
+        return inverse(of)
 
     def order(self, node: t.BigO, indices: Indices) -> Any:
         """That power of ε times a quantity of which nothing is known."""
@@ -175,7 +181,7 @@ def couple_of(reading: Rod) -> Matrix:
 
 Rod.values = {
     "kappa": lambda r: r.kappa,
-    "kappa_u": lambda r: r.turned * r.rod.kappa_u,
+    "kappa_u": lambda r: r.from_u(r.rod.kappa_u),
     "x": lambda r: vector_of("x"),
     "x_u": lambda r: vector_of("x_u"),
     "x_hat": lambda r: vector_of("x") + placement.DEFORMED,
@@ -189,8 +195,8 @@ Rod.values = {
     "h": lambda r: placement.thickness(r.rod.kappa_u, r.kappa, placement.LENGTH),
     "ell": lambda r: placement.LENGTH,
     "s": lambda r: s,
-    "F_tensor": lambda r: r.rod.gradient * r.turned.T,
-    "Q": lambda r: eye(3) * r.turned.T,
+    "F_tensor": lambda r: r.from_u(r.rod.gradient),
+    "Q": lambda r: r.from_u(eye(3)),
     "mu": lambda r: r.rod.mu,
     "force": lambda r: FORCE,
     "f_line": lambda r: loads.FORCES,
@@ -207,17 +213,21 @@ Rod.values = {
 }
 Rod.families = {
     "d": lambda r, i: BASIS[i - 1],
-    "d_u": lambda r, i: r.turned[:, i - 1],
+    "d_u": lambda r, i: r.from_u(BASIS[i - 1]),
     "kappa_c": lambda r, i: r.kappa[i - 1],
     "kappa_u_c": lambda r, i: r.rod.kappa_u[i - 1],
-    "g": lambda r, i: r.turned * r.rod.tangents_u[:, i - 1],
-    "g_dual": lambda r, i: r.turned * r.rod.dual_u[:, i - 1],
+    "g": lambda r, i: r.from_u(r.rod.tangents_u[:, i - 1]),
+    "g_dual": lambda r, i: r.from_u(r.rod.dual_u[:, i - 1]),
     "X": lambda r, i: eps * (X1, X2)[i - 1],
 }
 
-rod_of = kept(Rod)
+
+@remembered
+def rod_of(theory: Any) -> Rod:
+    """The reading; its values are computed once."""
+    return Rod(theory.section2.balance)
 
 
 def readings(theory: Any, sides: tuple[t.Node, ...], given: tuple[t.Statement, ...]) -> Iterator[Components]:
     """One: any rod."""
-    yield rod_of(theory.section2.balance).to_order(given)
+    yield rod_of(theory).to_order(given)
