@@ -112,7 +112,6 @@ def test_what_cannot_be_read_or_judged_says_why(theory):
         r"\beta^{9^{9^{9}}} = 1",
         r"\xi_a = \frac{1}{0}",
         r"\xi_a \to 1",
-        r"\vartheta \le 1",
         r"k(\ell) = 0",
     ):
         verdict = judge_formula(theory, Record("exsl18", latex, "parallel"))

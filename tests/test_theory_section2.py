@@ -363,7 +363,7 @@ FLIPS = [
     (line_energy, "-letter * w", "letter * w"),
     (couple, "return -d3.cross", "return d3.cross"),
     (couple, "couple * (1 + e3", "couple * (1 - e3"),
-    (variation, "zeros(3, 1)) - TURN", "zeros(3, 1)) + TURN"),
+    (variation, "along(SHIFT, kappa) - TURN", "along(SHIFT, kappa) + TURN"),
     (variation, "density.diff(x) - density", "density.diff(x) + density"),
     (equilibrium, "bending + d3.cross", "bending - d3.cross"),
     (equilibrium, "modulus = -energy", "modulus = energy"),

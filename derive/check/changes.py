@@ -1,7 +1,8 @@
 """Small changes of a printed tree, by kind: what a slip of the pen makes of it.
 
 What a change makes is mostly false. Left alone is what says as much, or less, when it is changed: the variable of an
-integral or a limit, the order of O(…) but for a higher one, the order of the operands of · and of products of scalars.
+integral or a limit, the order of O(…) but for a higher one, the order of the operands of · and of products of scalars. A
+prime is added only to what the article prints with as many.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from derive.check.elsewhere import primed
 from derive.check.lookalikes import difference, ranked
 from derive.paper import tree as t
 from derive.paper.conventions import Scope
@@ -17,8 +19,7 @@ from derive.paper.conventions import scope as conventions_of
 Change = tuple[str, t.Node]
 Path = tuple[int, ...]
 
-LETTERS = ("i", "j", "k")
-GREEK = ("alpha", "beta", "gamma")
+LATIN, GREEK = ("i", "j", "k"), ("alpha", "beta")  # the letters of indices, in order
 TURNED = {"<": ">", ">": "<", "<=": ">", ">=": "<", "!=": "=", "in": "notin", "notin": "in"}
 OTHER_SIGN = {r"\pm": r"\mp", r"\mp": r"\pm"}
 _BOUND = ("by", "variable")  # fields that bind a letter
@@ -64,7 +65,7 @@ def own_changes(node: t.Node, scope: str) -> Iterator[Change]:
             yield "number", replace(node, value=value + 1)
         case t.Name():
             yield from _of_index(node, letters)
-            if letters.by_name[node.name].argument and not node.index:
+            if (node.name, 1) in primed():
                 yield "prime", t.Primed(node, 1)
         case t.Call():
             yield from _of_call(node, letters)
@@ -72,7 +73,8 @@ def own_changes(node: t.Node, scope: str) -> Iterator[Change]:
             yield from _of_row(node)
         case t.Primed(order=order, of=of):
             yield "prime", of if order == 1 else replace(node, order=order - 1)
-            yield "prime", replace(node, order=order + 1)
+            if isinstance(of, t.Name) and (of.name, order + 1) in primed():
+                yield "prime", replace(node, order=order + 1)
         case t.Cross(left=left, right=right) | t.Outer(left=left, right=right) | t.Compose(left=left, right=right):
             yield "operands", type(node)(right, left)
         case t.Quotient() | t.Power() | t.Root() | t.Transpose() | t.Derivative():
@@ -86,28 +88,30 @@ def own_changes(node: t.Node, scope: str) -> Iterator[Change]:
 def exchanges(node: t.Node, scope: str) -> Iterator[Change]:
     """A symbol exchanged for others of its type, nearest first."""
     if isinstance(node, t.Name | t.Call):
-        for other in ranked(node.name, scope):
-            yield difference(node.name, other, scope), replace(node, name=other.name)
+        mine = conventions_of(scope).declared(node.name, node.index)
+        for other in ranked(node.name, scope, node.index):
+            yield difference(mine, other), replace(node, name=other.name)
 
 
 def _of_index(node: t.Name | t.Call, letters: Scope) -> Iterator[Change]:
     """Another index: the next letter of its alphabet, and a number."""
     if not node.index:
         return
-    alphabet = LETTERS if len(node.index) == 1 else GREEK
-    place = alphabet.index(node.index) if node.index in alphabet else -1
-    yield "index", replace(node, index=alphabet[(place + 1) % len(alphabet)])
+    alphabet = LATIN if node.index in LATIN else GREEK
+    letter = alphabet[(alphabet.index(node.index) + 1) % len(alphabet)]
+    if (node.name, letter) in letters.by_letter:
+        yield "index", replace(node, index=letter)
     member = f"{node.name}_{t.values_of(node.index)[0]}"
     if member in letters.by_name:
         yield "index", replace(node, name=member, index="")
 
 
 def _of_call(node: t.Call, letters: Scope) -> Iterator[Change]:
-    mine = letters.by_name[node.name]
+    mine = letters.declared(node.name, node.index)
     yield from _of_index(node, letters)
     if node.primes:
         yield "prime", replace(node, primes=node.primes - 1)
-    if mine.kind == "function" and not mine.prefix:
+    if (node.name, node.primes + 1) in primed():
         yield "prime", replace(node, primes=node.primes + 1)
     if mine.argument and len(node.args) == 1:
         arcs = [t.Name(one.name, one.kind) for one in letters.by_name.values() if one.sort == mine.argument]

@@ -14,13 +14,11 @@ from functools import cache
 from itertools import chain
 
 from derive.check.changes import Path, at, exchanges, own_changes, positions, put, turned
+from derive.check.elsewhere import printed_parts
 from derive.check.misprints import relations, with_side
 from derive.paper import tree as t
 from derive.paper.conventions import Declared, Scope
 from derive.paper.conventions import scope as conventions_of
-from derive.paper.errors import ReadError
-from derive.paper.ledger import load_ledger
-from derive.paper.reader import parse
 
 # From the likeliest misprint on.
 KINDS = (
@@ -83,19 +81,6 @@ def _rank(edit: Edit) -> tuple[int, ...]:
     return KINDS.index(edit.kind), edit.likeness, edit.new not in printed_parts(), edit.side == 0
 
 
-@cache
-def printed_parts() -> frozenset[t.Node]:
-    """Everything that the ledger prints, down to single symbols."""
-    found: set[t.Node] = set()
-    for record in load_ledger().values():
-        try:
-            statements = parse(record.latex, str(record.scope)) if record.scope else []
-        except ReadError:
-            continue
-        found |= {node for statement in statements for side in statement.sides for node in side.walk()}
-    return frozenset(found)
-
-
 def _empty(statement: t.Statement) -> bool:
     """Is a side said to equal one that reads the same, so that nothing is said?"""
     seen: list[t.Node] = []
@@ -147,7 +132,7 @@ def _restored(node: t.Node, letters: Scope) -> Iterator[tuple[str, t.Node]]:
 
 
 def _of_name(node: t.Name, letters: Scope) -> Iterator[tuple[str, t.Node]]:
-    mine = letters.by_name[node.name]
+    mine = letters.declared(node.name, node.index)
     if mine.argument:
         for arc in _arcs(mine, letters):
             yield "argument", t.Call(node.name, (arc,), 0, node.kind, node.index)
@@ -156,7 +141,7 @@ def _of_name(node: t.Name, letters: Scope) -> Iterator[tuple[str, t.Node]]:
 
 
 def _of_call(node: t.Call, letters: Scope) -> Iterator[tuple[str, t.Node]]:
-    mine = letters.by_name[node.name]
+    mine = letters.declared(node.name, node.index)
     if mine.argument:
         yield "argument", t.Name(node.name, node.kind, node.index)
         yield from (("argument", replace(node, args=(arc,))) for arc in _arcs(mine, letters))

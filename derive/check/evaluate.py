@@ -15,7 +15,7 @@ import sympy as sp
 from mpmath import mp
 from sympy.core.function import AppliedUndef
 
-from derive.check import elliptic
+from derive.check import elliptic, rectangle
 from derive.theory import functions as fn
 
 GUARD = 15  # working digits beyond those asked for
@@ -70,6 +70,7 @@ TABLE: dict[type, Callable[..., Any]] = {
     fn.wp: elliptic.wp, fn.wp_prime: elliptic.wp_prime, fn.wzeta: elliptic.wzeta, fn.wsigma: elliptic.wsigma,
     fn.RF: mp.elliprf, fn.RC: mp.elliprc, fn.RD: mp.elliprd, fn.RJ: mp.elliprj,
     wp_inverse: elliptic.wp_inverse,
+    fn.half_period: rectangle.half_period, fn.perimeter_point: rectangle.perimeter_point,
 }  # fmt: skip
 
 CONSTANTS: dict[sp.Expr, Callable[[], Any]] = {

@@ -10,9 +10,17 @@ from derive.check import approach, limits, pool, prove, refute, signs
 from derive.check.prepare import prepared
 from derive.check.timing import TimeLimit, limited
 from derive.check.verdicts import AGREED, PROVED, REFUTED, UNKNOWN, VERDICTS, Verdict
-from derive.theory.claims import Claim, Equal, Positive
+from derive.theory.claims import Claim, Equal, Limit, NonNegative, Order, Positive
 
 SECONDS = 30.0
+
+METHODS = {
+    Equal: "normal form",
+    Positive: "sign analysis",
+    NonNegative: "sign analysis",
+    Limit: "limit",
+    Order: "Taylor coefficients",
+}
 
 Answer = tuple[VERDICTS, str, dict[str, str] | None, str]
 
@@ -34,7 +42,7 @@ def judge(claim: Claim, seconds: float | None = SECONDS) -> Verdict:
 
 
 def _refuted(claim: Claim, points: int | None = None) -> refute.Trial:
-    if isinstance(claim.relation, Equal | Positive):
+    if isinstance(claim.relation, Equal | Positive | NonNegative):
         return refute.refute(claim, points)
     return approach.refute(claim)
 
@@ -65,14 +73,14 @@ def _why_unproved(claim: Claim) -> str:
     if isinstance(relation, Equal):
         reasons = (prove.equal(a, b, claim.domain, claim.given, sign) for a, b in refute.pairs(relation))
         return next((reason for reason in reasons if reason), "")
-    if isinstance(relation, Positive):
-        return "" if sign(relation.expr) == 1 else "the signs of the coefficients do not decide"
+    if isinstance(relation, Positive | NonNegative):
+        wanted = (1,) if isinstance(relation, Positive) else (0, 1)
+        return "" if sign(relation.expr) in wanted else "the signs of the coefficients do not decide"
     return limits.prove(claim, sign)
 
 
 def _method(claim: Claim) -> str:
-    names = {"Equal": "normal form", "Positive": "sign analysis", "Limit": "limit", "Order": "Taylor coefficients"}
-    return names[type(claim.relation).__name__]
+    return METHODS[type(claim.relation)]
 
 
 def judge_all(

@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from functools import cache
 
-from derive.paper.conventions import Declared, Scope
+from derive.paper.conventions import Declared
 from derive.paper.conventions import scope as conventions_of
 
 _TOKEN = re.compile(r"\\[A-Za-z]+|[A-Za-z0-9]|[_^]")
@@ -39,17 +39,23 @@ def _marks(latex: str) -> set[str]:
 
 def same_type(one: Declared, other: Declared) -> bool:
     """May one stand wherever the other stands?"""
-    return (one.kind, one.sort, one.argument, one.arity) == (other.kind, other.sort, other.argument, other.arity)
+    return _type(one) == _type(other)
+
+
+def _type(one: Declared) -> tuple[object, ...]:
+    return one.kind, one.sort, one.argument, one.arity, one.dimension
 
 
 @cache
-def ranked(name: str, scope: str) -> tuple[Declared, ...]:
-    """All symbols of a scope that have the type of this one, nearest first."""
-    return _ranked(conventions_of(scope).by_name[name], conventions_of(scope))
+def ranked(name: str, scope: str, index: str = "") -> tuple[Declared, ...]:
+    """All symbols of a scope that have the type of this one, nearest first; of a member of a family, members alike."""
+    letters = conventions_of(scope)
+    mine = letters.declared(name, index)
+    members = [one for (_, letter), one in letters.by_letter.items() if letter == index]
+    return _ranked(mine, members if index else list(letters.by_name.values()))
 
 
-def _ranked(mine: Declared, letters: Scope) -> tuple[Declared, ...]:
-    declared = list(letters.by_name.values())
+def _ranked(mine: Declared, declared: list[Declared]) -> tuple[Declared, ...]:
     place = declared.index(mine)
 
     def distance(other: Declared) -> tuple[int, int]:
@@ -61,9 +67,8 @@ def _ranked(mine: Declared, letters: Scope) -> tuple[Declared, ...]:
     return tuple(sorted((one for one in declared if one != mine and same_type(one, mine)), key=distance))
 
 
-def difference(name: str, other: Declared, scope: str) -> str:
+def difference(mine: Declared, other: Declared) -> str:
     """How two symbols differ: ``index`` (another subscript), ``bar`` (another accent or superscript), or ``symbol``."""
-    mine = conventions_of(scope).by_name[name]
     if base(mine.latex) != base(other.latex):
         return "symbol"
     return "index" if all(mark.startswith("_") for mark in _marks(mine.latex) ^ _marks(other.latex)) else "bar"

@@ -17,7 +17,7 @@ import sympy as sp
 from derive.check import pool
 from derive.check.judge import judge
 from derive.check.verdicts import PROVED, REFUTED, Verdict
-from derive.theory.claims import Claim, Domain, Equal, Limit, Order, Positive
+from derive.theory.claims import Claim, Domain, Equal, Limit, NonNegative, Order, Positive
 
 MUTANTS = 12  # at most so many for a claim, spread over all that there are
 SECONDS = 10.0
@@ -142,19 +142,19 @@ def _changes(claim: Claim) -> Iterator[tuple[str, Claim]]:
         yield "power", replace(claim, relation=replace(relation, power=relation.power + 1))
         names = ["expr"]
     else:
-        yield from _of_positive(claim, relation)
+        yield from _of_sign(claim, relation)
         return
     for name in names:
         for change, new in _of_side(getattr(relation, name)):
             yield f"{name}: {change}", replace(claim, relation=replace(relation, **{name: new}))
 
 
-def _of_positive(claim: Claim, relation: Positive) -> Iterator[tuple[str, Claim]]:
+def _of_sign(claim: Claim, relation: Positive | NonNegative) -> Iterator[tuple[str, Claim]]:
     """The whole turned, a sign within it, a wider range."""
-    yield "sign", replace(claim, relation=Positive(-relation.expr))
+    yield "sign", replace(claim, relation=replace(relation, expr=-relation.expr))
     for change, new in variants(sp.sympify(relation.expr, strict=True)):
         if change == "sign of a term":
-            yield change, replace(claim, relation=Positive(new))
+            yield change, replace(claim, relation=replace(relation, expr=new))
     for symbol, (lower, upper) in claim.domain.ranges.items():
         for wider in _wider(claim.domain, symbol, sp.sympify(lower, strict=True), sp.sympify(upper, strict=True)):
             ranges = {**claim.domain.ranges, symbol: wider}

@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from derive.check import carlson
-from derive.theory.claims import Claim, Domain, Equal, Limit, Order, Positive
+from derive.theory.claims import Claim, Domain, Equal, Limit, NonNegative, Order, Positive
 
 
 def _put(expr: Any, claim: Claim) -> Any:
@@ -29,12 +29,10 @@ def prepared(claim: Claim) -> Claim:
     relation = claim.relation
     if isinstance(relation, Equal):
         done: Any = Equal(_put(relation.lhs, claim), _put(relation.rhs, claim))
-    elif isinstance(relation, Positive):
-        done = Positive(_put(relation.expr, claim))
     elif isinstance(relation, Limit):
         sides = {name: _put(getattr(relation, name), claim) for name in ("expr", "point", "value")}
         done = replace(relation, **sides)
-    elif isinstance(relation, Order):
+    elif isinstance(relation, Positive | NonNegative | Order):
         done = replace(relation, expr=_put(relation.expr, claim))
     else:
         raise TypeError(f"no rule for a relation of type {type(relation).__name__}")

@@ -15,7 +15,7 @@ from mpmath import mp
 
 from derive.check.evaluate import UndefinedError, evaluate, magnitude
 from derive.check.sample import ExactPoint, Sampler
-from derive.theory.claims import Claim, Equal, Positive
+from derive.theory.claims import Claim, Equal, NonNegative, Positive
 
 DIGITS = 50
 POINTS = 6
@@ -79,7 +79,8 @@ def _equal_at(entries: list[tuple[sp.Expr, sp.Expr]], point: ExactPoint) -> dict
     return None
 
 
-def _positive_at(expr: sp.Expr, point: ExactPoint) -> dict[str, str] | None:
+def _sign_fails(relation: Positive | NonNegative, point: ExactPoint) -> dict[str, str] | None:
+    expr, may_vanish = relation.expr, isinstance(relation, NonNegative)
     value = evaluate(expr, point, DIGITS)
     if mp.im(value) != 0:
         return shown(point, value, mp.mpf(0)) if mp.im(evaluate(expr, point, 2 * DIGITS)) != 0 else None
@@ -87,16 +88,17 @@ def _positive_at(expr: sp.Expr, point: ExactPoint) -> dict[str, str] | None:
         return None
     again = evaluate(expr, point, 2 * DIGITS)
     with mp.workdps(2 * DIGITS):
-        return shown(point, value, mp.mpf(0)) if again <= 0 else None
+        noise = TOLERANCE * magnitude(expr, point, 2 * DIGITS) if may_vanish else mp.mpf(0)
+        return shown(point, value, mp.mpf(0)) if again < -noise or (again <= 0 and not may_vanish) else None
 
 
 def refute(claim: Claim, points: int | None = None, seed: int = 1) -> Trial:
-    """Look for a counterexample to an Equal or Positive claim (its hypotheses already substituted in the relation)."""
+    """Look for a counterexample to an equality or a sign (its hypotheses already substituted in the relation)."""
     relation = claim.relation
     if isinstance(relation, Equal):
         entries = [pair for pair in pairs(relation) if pair[0] != pair[1]]
         expressions = [side for pair in entries for side in pair]
-    elif isinstance(relation, Positive):
+    elif isinstance(relation, Positive | NonNegative):
         entries, expressions = [], [relation.expr]
         points = points or SIGN_POINTS
     else:
@@ -107,7 +109,7 @@ def refute(claim: Claim, points: int | None = None, seed: int = 1) -> Trial:
     for point in sampler.points(max(TRIES, 3 * points)):
         drawn += 1
         try:
-            found = _positive_at(relation.expr, point) if isinstance(relation, Positive) else _equal_at(entries, point)
+            found = _equal_at(entries, point) if isinstance(relation, Equal) else _sign_fails(relation, point)
         except UndefinedError as error:
             reason = str(error)
             continue
@@ -116,9 +118,9 @@ def refute(claim: Claim, points: int | None = None, seed: int = 1) -> Trial:
             return Trial(found, done)
         if done == points:
             break
-    if isinstance(relation, Positive) and done:
+    if not isinstance(relation, Equal) and done:
         for point in sampler.zeros([relation.expr], ZEROS):
-            found = _positive_at(relation.expr, point)
+            found = _sign_fails(relation, point)
             if found:
                 return Trial(found, done)
     return Trial(None, done, "" if done else f"no point can be evaluated: {reason}")

@@ -59,12 +59,12 @@ def split(tower: Tower, expr: sp.Expr) -> tuple[sp.Rational, dict[sp.Expr, int],
     for factor, times in found.items():
         sign = factor if factor.is_Integer else tower.sign_of(factor)
         if factor == -1:
-            coefficient = coefficient * (-1) ** times
+            coefficient = coefficient * (-1) ** (times % 2)
         elif sign == 1:
             positive[factor] = times
         elif sign == -1:
             positive[-factor] = times
-            coefficient = coefficient * (-1) ** times
+            coefficient = coefficient * (-1) ** (times % 2)
         else:
             unknown[factor] = times
     return coefficient, positive, unknown

@@ -57,9 +57,7 @@ def mended(record: Record, verdict: FormulaVerdict) -> tuple[Record | None, list
     """The formula with repairs for what is refuted (None if it was not read), and what has no sound form."""
     if not verdict.statements:
         return None, [record.latex]
-    scope = str(record.scope)
-    # Printed anew, for a part of a display may stand in an alignment.
-    printed = (to_latex(statement, scope) for statement in parse(record.latex, scope))
+    printed = [to_latex(statement, str(record.scope)) for statement in parse(record.latex, str(record.scope))]
     parts = [s.repair["latex"] if s.repair else latex for s, latex in zip(verdict.statements, printed, strict=True)]
     unsound = [s.printed for s in verdict.statements if not s.repair and s.verdict not in HOLD]
     return replace(record, latex=r" \,, \qquad ".join(parts)), unsound

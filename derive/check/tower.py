@@ -21,7 +21,10 @@ from derive.theory import functions as fn
 Sign = Callable[[sp.Expr], int | None]  # +1, −1, 0 where proved on the domain, None where unknown
 Given = tuple[tuple[sp.Expr, sp.Expr], ...]
 
-PLAIN = (sp.log, sp.atan, sp.asin, sp.acos, sp.acosh, sp.asinh, sp.atanh, sp.Max, fn.RF, fn.RC, fn.RD, fn.RJ)
+PLAIN = (
+    sp.log, sp.atan, sp.asin, sp.acos, sp.acosh, sp.asinh, sp.atanh, sp.Max, fn.RF, fn.RC, fn.RD, fn.RJ,
+    fn.half_period, fn.perimeter_point,
+)  # fmt: skip
 TO_SINE = {
     sp.tan: lambda x: sp.sin(x) / sp.cos(x),
     sp.cot: lambda x: sp.cos(x) / sp.sin(x),

@@ -31,6 +31,13 @@ class Positive:
 
 
 @dataclass(frozen=True)
+class NonNegative:
+    """expr ≥ 0 everywhere in the domain."""
+
+    expr: Expr
+
+
+@dataclass(frozen=True)
 class Limit:
     """expr → value as variable → point, through the domain; side is '+', '-' or '+-' (both)."""
 
@@ -50,7 +57,7 @@ class Order:
     power: int
 
 
-Relation = Equal | Positive | Limit | Order
+Relation = Equal | Positive | NonNegative | Limit | Order
 
 
 @dataclass(frozen=True)

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from sympy import Expr, Matrix, Symbol
+from sympy import Expr, Matrix, Rational, Symbol
 
 from derive.theory import line_energy
 from derive.theory.claims import Equal, Notebook, Order
 from derive.theory.energy import Energy
 from derive.theory.letters import A, angle, e1, e2, e3, eps, field, first_order, gradient, rotation, unit, vector, w
-from derive.theory.line_energy import FIELD, LineEnergy, over_section
+from derive.theory.line_energy import FIELD, LineEnergy, over_section, over_triangle
 from derive.theory.placement import POINT
 
 TANGENT = vector("d_3")  # d₃ where it is varied, in the frame d before the variation
@@ -72,6 +72,13 @@ def claim_induction(line: LineEnergy, exact: Matrix, small: Matrix, book: Notebo
     change = couple.jacobian(a) * (turn - e3 * e3.dot(turn))
     expected = couple * (1 + e3.dot(turn_u)) + change
     book.claim(
+        "couple.turning",
+        "magnetization x induction does the work that the energy gives up when the particle turns",
+        Equal(couple, -a.cross(line.energy.slope(FIELD, a))),
+        steps=["energy.invariance"],
+        source="elmr12",
+    )
+    book.claim(
         "couple.expansion",
         "to first order the couple on a volume changes with the turn of the particles and with the volume",
         Equal(small, expected.xreplace(dict(zip(a, e3, strict=True)))),
@@ -84,6 +91,13 @@ def claim_induction(line: LineEnergy, exact: Matrix, small: Matrix, book: Notebo
         Order(exact - small, eps, 2),
         steps=["couple.expansion"],
         source="elmr13",
+    )
+    book.claim(
+        "couple.section",
+        "over a section the first order of the couple has no part: a triangle, integrated, agrees",
+        Equal(small.applyfunc(over_triangle), small.applyfunc(over_section).subs(A, Rational(9, 2))),
+        steps=["couple.expansion"],
+        source="elmr14",
     )
 
 
@@ -101,7 +115,7 @@ def claim_couple(couple: Couple, book: Notebook) -> None:
         "couple.induction",
         "the couple of the energy is the couple of the induction on the magnetization",
         Equal(couple.by_variation, couple.by_induction),
-        steps=["couple.variation", "couple.expansion", "line_energy.section", "energy.invariance"],
+        steps=["couple.variation", "couple.turning", "couple.section"],
         source="elmr15",
     )
     d, e = unit(angle("p"), angle("q")), unit(angle("r"), angle("t"))

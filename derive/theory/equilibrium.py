@@ -1,4 +1,4 @@
-"""End of Section 2 and start of Section 3, exsl2 to exsl6 and exslrm1 to exslrm6: the equilibrium of a straight rod.
+"""End of Section 2 and start of Section 3, exsl2 to exsl6: the equilibrium of a straight rod.
 
 The rod is prismatic and free of twist before it is loaded, so κ^u = 0. Here the balance of moments becomes an equation
 for d₃ in fixed axes; the twist is uniform; with the field along the force the axis stays in a plane.
@@ -10,14 +10,15 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from sympy import Expr, Function, Matrix, Rational, Symbol
+from sympy import Expr, Matrix, Rational, Symbol
 
-from derive.theory import loads
+from derive.theory import loads, planarity
 from derive.theory.claims import Equal, Notebook
 from derive.theory.constraint import FORCE
 from derive.theory.energy import Energy
-from derive.theory.frame import along, frenet, triple
-from derive.theory.letters import EI, GJ, e3, eta_tilde, tau, tau_tilde, unit, vector, w
+from derive.theory.frame import along
+from derive.theory.letters import EI, GJ, e3, eta_tilde, tau, tau_tilde, vector, w
+from derive.theory.planarity import Straight, tangent
 from derive.theory.symbols import eta, s
 from derive.theory.variation import DIRECTION, Balance, euler
 
@@ -66,7 +67,7 @@ def derive(balance: Balance, book: Notebook) -> Equilibrium:
     claim_straight(state, book)
     claim_residual(state, book)
     claim_sphere(state, book)
-    claim_planar(state, book)
+    planarity.derive(Straight(residual, lambda aligned: modulus.subs(w, aligned)), balance, book)
     return state
 
 
@@ -120,12 +121,6 @@ def claim_residual(state: Equilibrium, book: Notebook) -> None:
     )
 
 
-def tangent() -> tuple[Matrix, Matrix]:
-    """d₃ as a point that moves on the unit sphere, and its two angles as functions of s."""
-    angles = Matrix([Function(name, real=True)(s) for name in ("theta", "phi")])
-    return unit(*angles), angles
-
-
 def claim_sphere(state: Equilibrium, book: Notebook) -> None:
     """The residual by a second route: d₃ on the sphere, its two angles varied, no frame."""
     d3, angles = tangent()
@@ -146,46 +141,6 @@ def claim_sphere(state: Equilibrium, book: Notebook) -> None:
         "the residual has no part along d3",
         Equal(residual.dot(d3), Rational(0)),
         steps=["equilibrium.residual", "equilibrium.twist"],
-    )
-
-
-def claim_planar(state: Equilibrium, book: Notebook) -> None:
-    """With the field along the force and a free end, the torsion vanishes where the curvature does not."""
-    d3, _ = tangent()
-    slope, e = d3.diff(s), vector("e")
-    pull = Symbol("F_e", real=True)  # the force over EI, along e
-    residual = state.residual(d3, pull * e, e)
-    moment = triple(d3, slope, e)  # M·e over EI, when there is no twist
-    book.claim(
-        "equilibrium.projection",
-        "along the common direction of field and force the moment does not change",
-        Equal(residual.dot(e), moment.diff(s)),
-        steps=["equilibrium.residual"],
-        source="exslrm3",
-    )
-    book.claim(
-        "equilibrium.triple",
-        "the triple product of d3 and its derivatives is minus the derivative of d3 x d3' along d3'",
-        Equal(triple(d3, slope, slope.diff(s)), -d3.cross(slope).diff(s).dot(slope)),
-        source="exslrm6",
-    )
-    # In the Serret-Frenet frame, where the tangent is the third vector.
-    k, torsion, turning = frenet()
-    first = along(e3, turning)
-    book.claim(
-        "equilibrium.torsion",
-        "the triple product of d3 and its derivatives is the torsion times the square of the curvature",
-        Equal(triple(e3, first, along(first, turning)), torsion * k**2),
-        steps=["frame.frenet"],
-        source="exslrm6",
-    )
-    across = pull - state.energy_density.diff(w).subs(w, d3.dot(e))
-    book.claim(
-        "equilibrium.planar",
-        "in equilibrium the triple product is a multiple of the moment along e, which is zero at the free end",
-        Equal(triple(d3, slope, slope.diff(s)) + residual.dot(slope), -across * moment),
-        steps=["equilibrium.projection", "equilibrium.triple", "equilibrium.torsion"],
-        source="exslrm5",
     )
 
 

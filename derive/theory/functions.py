@@ -3,6 +3,7 @@
 They are names with derivatives, nothing more: proving lives in ``check``, computing in the emitted kernels.
 
 - ``wp(u, g2, g3)``, ``wp_prime``, ``wzeta``, ``wsigma``: Weierstrass functions of invariants g₂, g₃ (DLMF 23.2).
+- ``half_period(n, g2, g3)`` and ``perimeter_point(c, g2, g3)``: where, on the rectangle of half-periods.
 - ``RF(x, y, z)``, ``RC(x, y)``, ``RJ(x, y, z, p)``, ``RD(x, y, z)``: Carlson's symmetric integrals (DLMF 19.16).
 """
 
@@ -10,7 +11,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from sympy import Expr, Function, Rational, default_sort_key
+from sympy import Expr, Function, Rational, S, default_sort_key
 from sympy.core.function import ArgumentIndexError
 
 
@@ -18,6 +19,11 @@ class wp(Function):  # noqa: N801 - the standard name of the function
     """Weierstrass ℘(u; g₂, g₃), DLMF 23.2(ii)."""
 
     nargs = 3
+
+    @classmethod
+    def eval(cls, *args: Any) -> Expr | None:
+        """Infinite at 0."""
+        return S.ComplexInfinity if args[0] == 0 else None
 
     def fdiff(self, argindex: int = 1) -> Expr:
         """℘′ for the first argument; derivatives in the invariants are not provided."""
@@ -31,6 +37,11 @@ class wp_prime(Function):  # noqa: N801 - the standard name of the function
 
     nargs = 3
 
+    @classmethod
+    def eval(cls, *args: Any) -> Expr | None:
+        """Infinite at 0."""
+        return S.ComplexInfinity if args[0] == 0 else None
+
     def fdiff(self, argindex: int = 1) -> Expr:
         """℘″ = 6℘² − g₂/2 (DLMF 23.3.12)."""
         if argindex != 1:
@@ -42,6 +53,11 @@ class wzeta(Function):  # noqa: N801 - the standard name of the function
     """Weierstrass ζ(u; g₂, g₃), with ζ′ = −℘ (DLMF 23.2.8)."""
 
     nargs = 3
+
+    @classmethod
+    def eval(cls, *args: Any) -> Expr | None:
+        """Infinite at 0."""
+        return S.ComplexInfinity if args[0] == 0 else None
 
     def fdiff(self, argindex: int = 1) -> Expr:
         """−℘."""
@@ -55,11 +71,28 @@ class wsigma(Function):  # noqa: N801 - the standard name of the function
 
     nargs = 3
 
+    @classmethod
+    def eval(cls, *args: Any) -> Expr | None:
+        """0 at 0."""
+        return S.Zero if args[0] == 0 else None
+
     def fdiff(self, argindex: int = 1) -> Expr:
         """ζσ."""
         if argindex != 1:
             raise ArgumentIndexError(self, argindex)
         return wzeta(*self.args) * wsigma(*self.args)
+
+
+class half_period(Function):  # noqa: N801 - a constant of the lattice, named like the functions above
+    """ωₙ for real e₁ > e₂ > e₃: ω₁ > 0, ω₃/i > 0 and ω₂ = ω₁ + ω₃, so that ℘(ωₙ) = eₙ (DLMF 23.3(i), 23.5(ii))."""
+
+    nargs = 3
+
+
+class perimeter_point(Function):  # noqa: N801 - named like the functions above
+    """The point with ℘ = c, for real c, on the rectangle 0, ω₁, ω₂, ω₃, around which ℘ runs once through the reals."""
+
+    nargs = 3
 
 
 class RF(Function):

@@ -12,12 +12,14 @@ from sympy import Matrix
 
 from derive.theory import variation
 from derive.theory.claims import Equal, Notebook
+from derive.theory.constraint import FORCE
+from derive.theory.elastic import STIFFNESS, TURN, vary_elastic
 from derive.theory.energy import Energy
 from derive.theory.frame import along
 from derive.theory.kinematics import Kinematics
 from derive.theory.letters import EI, GJ, angle, e1, e2, e3, rotation, vector_of, w
 from derive.theory.symbols import s
-from derive.theory.variation import DIRECTION, FORCE, SHIFT, STIFFNESS, TURN, Balance, euler, vary_elastic
+from derive.theory.variation import DIRECTION, SHIFT, Balance, euler
 
 FORCES, COUPLES = vector_of("f"), vector_of("m")  # f and m, applied per unit length, N/m and N, in the frame d
 PLACE = vector_of("x")  # x, a point of the axis from a fixed point, m, in the frame d

@@ -30,6 +30,7 @@ SOURCES: dict[str, str | tuple[str, str, str, str]] = {
     "linear": "slch11",
     "slope at pole": ("exsl29", "exhpf11", "exsl29", "exsl29"),
     "start": ("exsl31", "exhpf12", "exsl31", "slch11"),  # u_o, in the text after it
+    "slope on side": ("exsl33", "exhpf13bis", "exsl33", ""),  # ℘′(v), with its sign
     "real slope": "exsl33",
     "xi by zeta": ("exsl35", "exhpf14", "exsl35", ""),
     "y": ("exsl36", "exhpf15", "exsl36", "slch12"),

@@ -13,6 +13,7 @@ from sympy import Expr, Integer, factor, oo
 
 from .claims import Domain, Equal, Notebook, Positive
 from .load_case import COSINES, LoadCase, linear_root, xi_tip
+from .perimeter import SIDES, slope_by_field
 from .symbols import beta
 
 HALF_PERIODS = ("omega_1", "omega_2", "omega_3")
@@ -38,11 +39,11 @@ class UoCase:
 def uo_cases(
     case: LoadCase,
     value_at: Callable[[Expr], Expr],
-    pole: Expr | None,
+    pole: tuple[Expr, Expr] | None,
     cubic: Callable[[Expr], Expr],
     book: Notebook,
 ) -> tuple[UoCase, ...]:
-    """All cases of a load case. value_at: ℘ at a root of f. pole: ℘(v), if finite. cubic: 4ϰ³ − g₂ϰ − g₃ at ϰ."""
+    """All cases of a load case. value_at: ℘ at a root of f. pole: ℘(v) and b, if v ≠ 0. cubic: 4ϰ³ − g₂ϰ − g₃ at ϰ."""
     found = {1: _bending, 0: _without_field, -1: _straightening}[case.bends](case)
     for number, one in enumerate(found, start=1):
         name = f"weierstrass.{case.name}.start_{number}"
@@ -54,10 +55,11 @@ def uo_cases(
             root = Equal(cubic(value).subs(to_tip), 0)
             title = f"{one.condition}: ℘ at {half_period}"
             book.claim(f"{name}_{half_period}", title, root, domain=one.domain, steps=rests, source=source)
+        rests = tuple(f"{name}_{half_period}" for half_period in HALF_PERIODS)
         # Down the real values of ℘ on the rectangle: ℘(ω₁) > ℘(ω₂) > ℘(ω₃), with ℘(v) on its segment.
         if pole is not None:
-            values.insert(PLACES[one.pole], pole.subs(to_tip))
-        rests = tuple(f"{name}_{half_period}" for half_period in HALF_PERIODS)
+            _claim_slope(case, one, values, pole, name, rests, book)
+            values.insert(PLACES[one.pole], pole[0].subs(to_tip))
         if pole is not None:
             rests += case.ids("weierstrass.slope")
         steps = [above - below for above, below in pairwise(values)]
@@ -71,6 +73,25 @@ def uo_cases(
         book.claim(f"{name}_whole", title, whole, domain=one.domain, steps=rests, source=source)
         book.say(f"{one.condition}: ξ(ℓ) = {one.value}, u_o = {one.half_period} − ℓ")
     return tuple(found)
+
+
+def _claim_slope(
+    case: LoadCase,
+    one: UoCase,
+    halves: list[Expr],
+    pole: tuple[Expr, Expr],
+    name: str,
+    rests: tuple[str, ...],
+    book: Notebook,
+) -> None:
+    """℘′(v) with its sign, from the side on which v lies (text after exsl29, exhpf13bis)."""
+    (place, strength), side = (value.subs({case.constant: case.tip_constant}) for value in pole), SIDES[one.pole]
+    slope = Equal(
+        side.slope(place, (halves[0], halves[1], halves[2])), slope_by_field(side, abs(case.stiffness), strength)
+    )
+    rests = (*rests, f"weierstrass.side_{one.pole.strip('()').replace(', ', '_')}", *case.ids("weierstrass.slope"))
+    title, source = f"{one.condition}: ℘′(v) on {one.pole}", case.source("slope on side")
+    book.claim(f"{name}_slope", title, slope, domain=one.domain, steps=rests, source=source)
 
 
 def _start(case: LoadCase, condition: str, order: str, value: str, pole: str, domain: Domain) -> UoCase:

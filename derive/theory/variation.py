@@ -8,19 +8,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from sympy import Expr, Matrix, Rational, diag, zeros
+from sympy import Expr, Matrix, Rational
 
-from derive.theory import constraint, couple
+from derive.theory import constraint, couple, elastic
 from derive.theory.claims import Equal, Notebook
 from derive.theory.constraint import FORCE
 from derive.theory.couple import Couple
+from derive.theory.elastic import STIFFNESS, TURN, vary_elastic
 from derive.theory.energy import Energy
 from derive.theory.frame import along
-from derive.theory.letters import EI, GJ, e1, e2, e3, vector, vector_of, w
+from derive.theory.letters import e1, e2, e3, vector, vector_of, w
 from derive.theory.symbols import s
 
-STIFFNESS = diag(EI, EI, GJ)  # C in the frame d, for equal principal moments of inertia (kth18)
-TURN = vector_of("delta_q")  # δq, the turn of the frame
 SHIFT = vector_of("delta_u")  # δu, the displacement of the axis, m
 DIRECTION = vector_of("e")  # the direction of the field
 
@@ -43,22 +42,6 @@ class Balance:
 def euler(density: Expr, unknowns: Matrix) -> Matrix:
     """The coefficients of the unknowns after integration by parts; for a Lagrangian, its Euler-Lagrange expressions."""
     return Matrix([density.diff(x) - density.diff(x.diff(s)).diff(s) for x in unknowns])
-
-
-def vary_elastic(kappa: Matrix, kappa_u: Matrix) -> tuple[Matrix, Matrix, Expr]:
-    """δμ, δM and δψ_e when the frame turns by δq."""
-    basis = (e1, e2, e3)
-    # δd_i = δq × d_i (elmr3); then vary κ = ½ d_i × d_i′, where δ(d_i′) = (δd_i)′.
-    moved = [TURN.cross(d) for d in basis]
-    both = (delta.cross(along(d, kappa)) + d.cross(along(delta, kappa)) for d, delta in zip(basis, moved, strict=True))
-    # Qκ^u turns with the frame: δ(Qκ^u) = δq × Qκ^u.
-    delta_mu = Rational(1, 2) * sum(both, zeros(3, 1)) - TURN.cross(kappa_u)
-    # M = Cμ, and C = Σ (stiffness) d_i ⊗ d_i turns with the frame too.
-    delta_C = sum((STIFFNESS[i, i] * (moved[i] * basis[i].T + basis[i] * moved[i].T) for i in range(3)), zeros(3, 3))
-    mu = kappa - kappa_u
-    delta_M = delta_C * mu + STIFFNESS * delta_mu
-    delta_psi = Rational(1, 2) * (delta_M.dot(mu) + (STIFFNESS * mu).dot(delta_mu))
-    return delta_mu.expand(), delta_M.expand(), delta_psi.expand()
 
 
 def derive(magnetic: Couple, book: Notebook) -> Balance:
@@ -86,47 +69,12 @@ def derive(magnetic: Couple, book: Notebook) -> Balance:
     book.say("Turn the frame and move the axis; the energy under the constraint must not change to first order.")
     book.show("balance of moments, in the frame", balance.moment)
     book.show("balance of forces, in the frame", balance.force)
-    claim_elastic(balance, delta_mu, delta_M, delta_elastic, book)
+    elastic.claim(rod, balance.strain_energy, (delta_mu, delta_M, delta_elastic), book)
     torque = magnetic.modulus.subs(w, aligned) * e3.cross(DIRECTION)
     claim_rest(kappa, torque, delta_magnetic, delta_constraint, book)
     claim_balance(balance, variation, torque, book)
     claim_lagrange(balance, book)
     return balance
-
-
-def claim_elastic(balance: Balance, delta_mu: Matrix, delta_M: Matrix, delta_psi: Expr, book: Notebook) -> None:
-    """Variations of the measure of deformation, of the moment and of the strain energy."""
-    rod, M = balance.couple.line.rod, balance.resultant
-    turning = along(TURN, rod.frame.kappa)
-    strains = vector("mu")
-    energy = balance.strain_energy.subs(dict(zip(rod.frame.kappa, strains + rod.kappa_u, strict=True)))
-    book.claim(
-        "variation.strain_energy",
-        "the slope of the strain energy in the measure of deformation is the moment",
-        Equal(Matrix([energy.expand()]).jacobian(strains).T, STIFFNESS * strains),
-        source="kth19",
-    )
-    book.claim(
-        "variation.measure",
-        "the measure of deformation changes by the slope of the turn, and turns",
-        Equal(delta_mu, turning + TURN.cross(rod.mu)),
-        steps=["frame.formula"],
-        source="elmr4",
-    )
-    book.claim(
-        "variation.moment",
-        "the moment changes by the stiffness times the slope of the turn, and turns",
-        Equal(delta_M, STIFFNESS * turning + TURN.cross(M)),
-        steps=["variation.measure"],
-        source="elmr4",
-    )
-    book.claim(
-        "variation.elastic",
-        "the strain energy changes by the work of the moment, integrated by parts",
-        Equal(delta_psi, M.dot(TURN).diff(s) - along(M, rod.frame.kappa).dot(TURN)),
-        steps=["variation.strain_energy", "variation.moment"],
-        source="elmr5",
-    )
 
 
 def claim_rest(kappa: Matrix, torque: Matrix, delta_magnetic: Expr, delta_constraint: Expr, book: Notebook) -> None:

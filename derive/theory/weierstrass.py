@@ -13,6 +13,7 @@ from sympy import Expr, Integer, Matrix, Poly, Rational, Symbol, cancel, diff, e
 from .claims import Domain, Equal, Limit, Notebook
 from .functions import wp, wp_prime
 from .load_case import COSINES, LoadCase, xi_tip
+from .perimeter import claim_sides
 from .quartic_range import kinds
 from .symbols import u, xi
 from .uo_cases import UoCase, uo_cases
@@ -59,6 +60,7 @@ def derive(cases: Mapping[str, LoadCase], book: Notebook) -> Mapping[str, Weiers
     book.say("Section 3. The substitution that leads to the Weierstrass function")
     _claim_derivatives(book)
     _claim_substitution(book)
+    claim_sides(book)
     return {name: _case(case, book) for name, case in cases.items()}
 
 
@@ -130,7 +132,7 @@ def _case(case: LoadCase, book: Notebook) -> Weierstrass:
         return 4 * value**3 - g2 * value - g3
 
     if linear is None:
-        starts = uo_cases(case, at_one.value_at, at_one.c, cubic, book)
+        starts = uo_cases(case, at_one.value_at, (at_one.c, at_one.b), cubic, book)
     else:
         starts = uo_cases(case, lambda root: (root - linear[0]) / linear[1], None, cubic, book)
     return Weierstrass(g2, g3, at_one, at_tip, linear, slope_squared, starts)

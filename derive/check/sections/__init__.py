@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from derive.check.meaning import Components
-from derive.check.sections import couple, line_energy, magnetization, rod, variation
+from derive.check.sections import cantilever, couple, line_energy, magnetization, planarity, rod, variation
 from derive.paper import tree as t
 
 Readings = Callable[[Any, tuple[t.Node, ...], tuple[t.Statement, ...]], Iterator[Components]]
@@ -22,4 +22,6 @@ BY_SCOPE: dict[str, Readings] = {
     "line_energy": line_energy.readings,
     "variation": variation.readings,
     "couple": couple.readings,
+    "cantilever": cantilever.readings,
+    "planarity": planarity.readings,
 }

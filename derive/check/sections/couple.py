@@ -1,8 +1,8 @@
 """Section 2.3, elmr12 to elmr15: what its symbols mean in the couple of the induction on the magnetization.
 
 Three readings. In any particle the orientation a is any vector. In the rod, where orders of magnitude are compared or
-the couple is integrated, a is the theory's orientation of the fibres, exact in ε, and the couple on the part from 0 to s
-is represented by its density along the rod (see ``functionals``). To first order, the couple per unit length is what
+the couple is integrated, a is the theory's orientation of the fibres, exact in ε, and the couple on the part from 0 to
+s is represented by its density along the rod (see ``functionals``). To first order, the couple per unit length is what
 is left of that density when ε tends to 0.
 
 The integral over a section of area A whose first moments vanish is A times the integrand without its part of first
@@ -11,7 +11,7 @@ order: two integrands have one integral on all such sections if and only if they
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import count
 from typing import Any
@@ -19,9 +19,9 @@ from typing import Any
 from sympy import ImmutableMatrix, Matrix, Symbol, zeros
 
 from derive.check.meaning import Components, MeaningError, ell
-from derive.check.sections.framed import rotation
-from derive.check.sections.functionals import PART, OnRod
+from derive.check.sections.functionals import ARCS, PART, OnRod
 from derive.check.sections.remembered import remembered
+from derive.check.sections.variation import OTHER
 from derive.paper import tree as t
 from derive.paper.symbolic import NONE, Indices, to_sympy
 from derive.theory.claims import Domain
@@ -47,6 +47,12 @@ class InRod(OnRod):
         self.known["unknowns"] = count(1)
         return super().of(node, indices)
 
+    def call(self, name: str, primes: int, args: Sequence[Any]) -> Any:
+        """A symbol at a place; a quantity that is collected from 0 to s, from 0 to that place."""
+        if name != "L_couple" or primes:
+            return super().call(name, primes, args)
+        return self.name(name).subs(PART, self.before(args[0]))
+
     def order(self, node: t.BigO, indices: Indices) -> Any:
         """Something of the order of a power of ε: that power times what is unknown."""
         number = next(self.known["unknowns"])
@@ -65,15 +71,21 @@ class InRod(OnRod):
             case t.Call(name="C_u", args=(end,)) if by == {"volume"}:
                 return self.part(t.Number(0), end) * over_section(value * self.volume)
             case t.RegionProduct(left=t.Name(name="Sigma"), right=t.Interval(lower=lower, upper=upper)):
-                if by - SECTION in ({"varsigma"}, {"s"}) and len(node.by) == 1 + len(SECTION):
+                if len(by & {arc.name for arc in ARCS}) == 1 and len(node.by) == 1 + len(SECTION):
                     return self.part(lower, upper) * over_section(value)
         raise MeaningError(f"an integral by {', '.join(sorted(by))} over such a region has no meaning ({self.title})")
 
+    def rate(self, of: Any, order: int) -> Any:
+        """The derivative along the rod; of what is collected from 0 to s, its density at s."""
+        if order and of.has(PART):
+            of, order = of.diff(PART), order - 1
+        return super().rate(of, order)
+
     def ratio(self, node: t.Derivative, indices: Indices) -> Any:
-        """d of an integral from 0 to s by s: the integrand at s."""
-        if node.by != t.Name("s") or not isinstance(node.of, t.Name) or node.of.name != "L_couple":
-            raise self.absent("such a derivative")
-        return self.name("L_couple").subs(PART, 1)
+        """The derivative along the rod."""
+        if node.by != t.Name("s"):
+            raise self.absent("a derivative but along the rod")
+        return self.rate(to_sympy(node.of, self, indices), 1)
 
 
 def over_section(value: Any) -> Any:
@@ -112,16 +124,15 @@ def _all(theory: Any) -> tuple[InRod, InRod, InRod]:
 def _reading(couple: Couple, title: str, values: Mapping[str, Any]) -> InRod:
     rod = couple.line.rod
     kappa = ImmutableMatrix(rod.frame.kappa)
-    other = rotation("g")
-    rates = other.turned(other.matrix * rod.kappa_u - kappa)
-    rates |= dict(zip(DIRECTION, -kappa.cross(DIRECTION), strict=True))
+    rates = dict(OTHER.rates(OTHER.matrix * rod.kappa_u - kappa))
+    rates |= dict(zip(DIRECTION.diff(s), -kappa.cross(DIRECTION), strict=True))
     return InRod(title, Domain(), values, kappa, rates, units=[DIRECTION], volume=rod.jacobian)
 
 
 def _values(couple: Couple, a: Matrix) -> dict[str, Any]:
     """The values of the printed names, in the frame d, for particles of orientation a."""
     line, rod = couple.line, couple.line.rod
-    h, before = field * DIRECTION, rotation("g").matrix
+    h, before = field * DIRECTION, OTHER.matrix
     known = dict(zip(FIELD, h, strict=True))
     energy, moment = line.energy, line.energy.moment(h, a)
     g = before * rod.tangents_u
@@ -136,6 +147,6 @@ def _values(couple: Couple, a: Matrix) -> dict[str, Any]:
         # The couple that turns a particle, from the slope of its energy: its work is −δψ for δa = δq × a.
         "l_hat": -a.cross(energy.slope(h, a)), "l_line": couple.by_variation.xreplace(known),
         "m_line": couple.by_variation.xreplace(known), "eta_tilde": line.moduli[eta_tilde], "zero": zeros(3, 1),
-        "s": s, "varsigma": s, "ell": ell,
+        "s": s, "varsigma": Symbol("varsigma", real=True), "ell": ell,
     }  # fmt: skip
     return found

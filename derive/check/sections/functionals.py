@@ -2,7 +2,8 @@
 
 ∫₀^ℓ f ds + [g]₀^ℓ stands for f + g′: two such functionals are equal for all fields, on rods of all lengths, if and only
 if these densities are. An integral that ends at a place s on the rod takes its part of the density, as a bracket does:
-``PART`` is 1 before s and 0 beyond it. What is said of functionals is linear in it, so that it may be any number.
+``PART`` is 1 before s and 0 beyond it, and other places have parts of their own. What is said of functionals is linear
+in these, so that they may be any numbers.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from derive.paper.symbolic import Indices, to_sympy
 from derive.theory.symbols import s
 
 PART = Symbol("part", real=True)
+ARCS = (t.Name("s"), t.Name("varsigma"))  # by which integrals along the rod run
 
 
 @dataclass(frozen=True)
@@ -32,10 +34,8 @@ class OnRod(Framed):
 
     def integral(self, node: t.Integral, indices: Indices) -> Any:
         """∫ f ds between places on the rod, as a density."""
-        if len(node.by) != 1 or node.lower is None or node.upper is None or node.region is not None:
+        if len(node.by) != 1 or node.by[0] not in ARCS or node.lower is None or node.upper is None:
             raise self.absent("an integral that is not along the rod")
-        if to_sympy(node.by[0], self, indices) != s:
-            raise self.absent("an integral that is not by the arc length")
         return self.part(node.lower, node.upper) * to_sympy(node.of, self, indices)
 
     def between(self, node: t.Between, indices: Indices) -> Any:
@@ -43,13 +43,22 @@ class OnRod(Framed):
         part = 0 if self.held else self.part(node.lower, node.upper)
         return part * self.rate(to_sympy(node.of, self, indices), 1)
 
+    def spread(self, node: t.Node) -> tuple[Any, t.Node] | None:
+        """Integrals along the rod and brackets by their densities, and so the variations of them."""
+        match node:
+            case t.Integral(region=None, lower=lower, upper=upper, by=(by,)) if lower and upper and by in ARCS:
+                return self.part(lower, upper), node.of
+            case t.Between(lower=lower, upper=upper):
+                return 0 * s if self.held else self.part(lower, upper), t.Primed(node.of, 1)
+            case t.Varied(of=of) if (found := self.spread(of)) is not None:
+                return found[0], t.Varied(found[1])
+        return None
+
     def part(self, lower: t.Node, upper: t.Node) -> Expr:
         """1 where a point of the rod lies between two places, −1 if they are in the wrong order, else 0."""
-        return self._before(upper) - self._before(lower)
+        return self.before(to_sympy(upper, self)) - self.before(to_sympy(lower, self))
 
-    def _before(self, place: t.Node) -> Expr:
-        value = to_sympy(place, self)
+    def before(self, place: Any) -> Expr:
+        """1 where a point of the rod lies before a place, else 0."""
         found = {0: 0 * s, ell: s**0, s: PART}
-        if value not in found:
-            raise self.absent(f"an integral or a bracket that ends at {value}")
-        return found[value]
+        return found[place] if place in found else Symbol(f"part_{place}", real=True)

@@ -16,9 +16,10 @@ from sympy import Expr, Integer, Matrix, MatrixBase, Symbol, sqrt, zeros
 from sympy.core.function import AppliedUndef, Derivative
 
 from derive.check.meaning import Components
-from derive.check.sections.moving import elsewhere, extent
+from derive.check.sections.moving import extent
 from derive.check.sections.remembered import remembered
 from derive.check.sections.rod import Rod
+from derive.check.sections.turning import elsewhere
 from derive.paper import tree as t
 from derive.paper.symbolic import Indices, to_sympy
 from derive.theory import letters

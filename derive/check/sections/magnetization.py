@@ -12,9 +12,9 @@ from typing import Any
 from sympy import Matrix, MatrixBase, Symbol, eye, zeros
 
 from derive.check.meaning import Components
-from derive.check.sections.framed import Rotation
 from derive.check.sections.moving import inverse, unknown
 from derive.check.sections.remembered import remembered
+from derive.check.sections.turning import Rotation
 from derive.paper import tree as t
 from derive.theory import letters, particle, symbols
 from derive.theory.claims import Domain, Notebook

@@ -6,13 +6,9 @@ where it is a field, so that derivatives are SymPy's; those of functions that ob
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
 from sympy import Expr, Function, ImmutableDenseMatrix, Matrix, MatrixBase, Symbol, cancel
-
-from derive.check.sections.framed import rotation, skew
-from derive.theory.symbols import s
 
 
 class Turned(ImmutableDenseMatrix):  # type: ignore[misc]
@@ -66,26 +62,6 @@ def inverse(tensor: Matrix) -> Matrix:
     rows = [tensor[i, :].T for i in range(3)]
     columns = [rows[(i + 1) % 3].cross(rows[(i + 2) % 3]) for i in range(3)]
     return Matrix.hstack(*columns) / rows[0].dot(columns[0])
-
-
-def along(value: Any, kappa: Matrix, rates: Mapping[Expr, Expr]) -> Any:
-    """The derivative along the rod of a scalar, or of a vector or tensor of moving components."""
-    slope = value.diff(s).xreplace(rates)
-    if not isinstance(value, MatrixBase):
-        return slope
-    turned = skew(kappa) * value
-    return slope + turned if value.shape == (3, 1) else slope + turned - value * skew(kappa)
-
-
-def elsewhere(value: Any, place: Expr) -> Any:
-    """A quantity at another point of the rod, in the frame of this one: there the frame is turned, nobody says how."""
-    if place == s:
-        return value
-    there = value.subs(s, place)
-    if not isinstance(value, MatrixBase):
-        return there
-    turn = rotation("turn").matrix.subs(s, place)
-    return turn * there if value.shape == (3, 1) else turn * there * turn.T
 
 
 def unknown(name: str, like: Any) -> Any:

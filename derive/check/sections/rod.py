@@ -15,16 +15,18 @@ from typing import Any
 from sympy import Expr, Function, Matrix, MatrixBase, Max, Symbol, eye, zeros
 
 from derive.check.meaning import Components
-from derive.check.sections.framed import rotation
-from derive.check.sections.moving import Turned, along, elsewhere, extent, inverse, unknown
+from derive.check.sections.moving import Turned, extent, inverse, unknown
 from derive.check.sections.remembered import remembered
+from derive.check.sections.turning import along, elsewhere, rotation
 from derive.paper import tree as t
 from derive.paper.symbolic import Indices, member, to_sympy
 from derive.theory import frame, loads, placement
 from derive.theory.claims import Domain
+from derive.theory.constraint import FORCE
+from derive.theory.elastic import STIFFNESS
 from derive.theory.letters import EI, GJ, X1, X2, e1, e2, e3, eps, vector_of
 from derive.theory.symbols import s
-from derive.theory.variation import FORCE, STIFFNESS, Balance
+from derive.theory.variation import Balance
 
 BASIS = (e1, e2, e3)
 TURN = rotation("r")  # of the undistorted frame from the other
@@ -64,7 +66,7 @@ class Rod(Components):
         """Derivatives along the rod of what obeys a law."""
         x, x_u = vector_of("x"), vector_of("x_u")
         fixed = {x: e3, x_u: self.turned[:, 2], **self.uniform}
-        found = {g.diff(s): rate for g, rate in TURN.turned(self.turned * self.rod.kappa_u - self.kappa).items()}
+        found = dict(TURN.rates(self.turned * self.rod.kappa_u - self.kappa))
         for vector, slope in fixed.items():
             found |= dict(zip(vector.diff(s), slope - self.kappa.cross(vector), strict=True))
         found |= dict(zip(FORCE.diff(s), solved(self.loaded.force, FORCE.diff(s)), strict=True))

@@ -14,21 +14,24 @@ from typing import Any
 from sympy import Expr, ImmutableMatrix, Matrix, Symbol, eye, solve, zeros
 
 from derive.check.meaning import Components, ell
+from derive.check.sections.framed import State, derivatives
 from derive.check.sections.functionals import OnRod
-from derive.check.sections.framed import Rotation, State, derivatives, rotation
 from derive.check.sections.remembered import remembered
+from derive.check.sections.turning import Rates, Rotation, rotation
 from derive.paper import tree as t
 from derive.theory import constraint
 from derive.theory.claims import Domain
 from derive.theory.constraint import FORCE, POSITION
+from derive.theory.elastic import STIFFNESS, TURN
 from derive.theory.frame import along
 from derive.theory.letters import EI, GJ, A, V, chi, chi_tilde, e1, e2, e3, eta_tilde, field, mu0, nu, vector_of, w
 from derive.theory.symbols import s
-from derive.theory.variation import DIRECTION, SHIFT, STIFFNESS, TURN, Balance
+from derive.theory.variation import DIRECTION, SHIFT, Balance
 
 E, G, inertia, torsion = (Symbol(name, positive=True) for name in ("E", "G", "I", "J"))
 MODULI = {EI: E * inertia, GJ: G * torsion}  # the theory's stiffnesses by the printed letters
 SIZES = {"E": E, "G": G, "I_area": inertia, "J_torsion": torsion, "A": A, "mu_0": mu0, "nu": nu, "V_Pi": V}
+OTHER = rotation("g")  # from d to the frame of the undistorted rod
 BEFORE = vector_of("x_u")  # a point of the undistorted axis
 TURNED = vector_of("q")  # q, whose variation is δq
 FUNCTIONALS = {"L_constraint", "E_energy"}
@@ -64,12 +67,11 @@ def _all(theory: Any) -> tuple[OnRod, OnRod, OnRod, OnRod]:
 
 def _reading(balance: Balance, title: str, state: State, *, laws: bool, held: bool = False) -> OnRod:
     rod = balance.couple.line.rod
-    other = rotation("g")
-    rates, variations = _changes(rod.frame.kappa, rod.kappa_u, other)
+    rates, variations = _changes(rod.frame.kappa, rod.kappa_u, OTHER)
     return OnRod(
         title,
         Domain(),
-        values(balance, other),
+        values(balance, OTHER),
         ImmutableMatrix(rod.frame.kappa),
         rates,
         variations,
@@ -81,20 +83,17 @@ def _reading(balance: Balance, title: str, state: State, *, laws: bool, held: bo
     )
 
 
-def _changes(kappa: Matrix, kappa_u: Matrix, other: Rotation) -> tuple[dict[Expr, Expr], dict[Expr, Expr]]:
+def _changes(kappa: Matrix, kappa_u: Matrix, other: Rotation) -> tuple[Rates, dict[Expr, Expr]]:
     """The rates and the variations of components: what is fixed turns back where the frame turns."""
-    spin = other.matrix * kappa_u - kappa
-    rates = other.turned(spin) | dict(zip(DIRECTION, -kappa.cross(DIRECTION), strict=True))
+    slope = other.matrix * e3 - kappa.cross(BEFORE)
+    fixed = dict(zip([*BEFORE.diff(s), *DIRECTION.diff(s)], [*slope, *-kappa.cross(DIRECTION)], strict=True))
     # δκ = δq′ + δq × κ, so that its components change by those of δq′.
     changes = {
         kappa: along(TURN, kappa), POSITION: SHIFT - TURN.cross(POSITION), TURNED: TURN - TURN.cross(TURNED),
-        **{fixed: -TURN.cross(fixed) for fixed in (DIRECTION, FORCE, BEFORE)},
+                **{vector: -TURN.cross(vector) for vector in (DIRECTION, FORCE, BEFORE)},
     }  # fmt: skip
-    varied = other.turned(-TURN)
-    for components, change in changes.items():
-        varied |= dict(zip(components, change, strict=True))
-    slope = dict(zip(BEFORE, other.matrix * e3 - kappa.cross(BEFORE), strict=True))
-    return rates | slope, varied
+    varied = {x: change for vector, by in changes.items() for x, change in zip(vector, by, strict=True)}
+    return {**other.rates(other.matrix * kappa_u - kappa), **fixed}, {**varied, **other.turned(-TURN)}
 
 
 def values(balance: Balance, other: Rotation) -> Mapping[str, Any]:
@@ -125,4 +124,4 @@ def balanced(balance: Balance, slope: Mapping[Expr, Expr]) -> dict[Expr, Expr]:
     slopes = [function.diff(s) for function in unknowns]
     solved = solve([*balance.moment, *balance.force], slopes, dict=True)[0]
     law = {function: solved[rate].xreplace(MODULI) for function, rate in zip(unknowns, slopes, strict=True)}
-    return derivatives({**law, **slope}, dict(zip(DIRECTION, -kappa.cross(DIRECTION), strict=True)))
+    return derivatives({**law, **slope}, dict(zip(DIRECTION.diff(s), -kappa.cross(DIRECTION), strict=True)))
