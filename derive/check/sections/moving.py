@@ -1,7 +1,6 @@
-"""A second frame beside the one in which vectors are written, and what varies along a rod.
+"""Values for readings of a rod: on a second frame, of what is not known, and of integrals along the rod.
 
-All vectors are in components on the frame d of the deformed rod. What varies is a function of s, of X₁ and X₂ too
-where it is a field, so that derivatives are SymPy's; those of functions that obey a law are replaced at once.
+All vectors are in components on the frame d of the deformed rod.
 """
 
 from __future__ import annotations
