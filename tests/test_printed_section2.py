@@ -8,6 +8,7 @@ from types import SimpleNamespace
 import pytest
 from sympy import Matrix, Rational, simplify
 
+from derive import explain
 from derive.check.printed import judge_formula
 from derive.check.sections import line_energy, rod
 from derive.check.sections.moving import Turned
@@ -31,7 +32,8 @@ SLOW = {"kth25"}  # of which mutants take a second each
 
 @pytest.fixture(scope="module")
 def theory():
-    return SimpleNamespace(section2=equilibrium.derive_section2(book=Notebook()))
+    book = Notebook()
+    return SimpleNamespace(section2=equilibrium.derive_section2(book=book), book=book)
 
 
 def judged(theory, label: str, old: str = "", new: str = ""):
@@ -50,6 +52,14 @@ def test_what_the_article_prints_holds(theory, label):
 
 def test_there_are_all_displays():
     assert len(LABELS) == 35
+
+
+@pytest.mark.parametrize("label", LABELS)
+def test_every_display_has_a_chain_back_to_its_roots(theory, label):
+    claims = theory.book.claims
+    starts = [claim.id for claim in claims.values() if claim.source == label]
+    assert starts
+    assert not any(claims[explain.ordered([start], claims)[0]].steps for start in starts)
 
 
 def test_energy_of_a_particle_has_a_wrong_sign_and_is_mended(theory):
