@@ -27,6 +27,8 @@ pm = Symbol("pm")  # ±: one of two signs
 u = Symbol("u", real=True)
 u_o = Symbol("u_o", real=True)
 s, ell = Symbol("s", positive=True), Symbol("ell", positive=True)
+varsigma = Symbol("varsigma", positive=True)  # the arc length of brackets; without one, some other point of the rod
+ARCS = {s, ell, varsigma}
 varkappa = Symbol("varkappa", real=True)  # ϰ while it is differentiated by
 E_X, E_Y, E_Z = (Matrix([int(i == j) for i in range(3)]) for j in range(3))
 
@@ -185,8 +187,10 @@ class Reading(Components):
         if self.solution is None or self.invariants is None:
             if name == "xi" and point == self.values.get("s"):
                 return self.name("xi")
+            if name == "xi" and point.free_symbols <= ARCS:
+                return Symbol(f"xi_at_{point}", real=True)  # elsewhere on the rod
             raise MeaningError(f"'{name}' at {point} has no meaning where the formula is read ({self.title})")
-        value = fn.wp(u_o + point if point.free_symbols <= {s, ell} else point, *self.invariants)
+        value = fn.wp(u_o + point if point.free_symbols <= ARCS else point, *self.invariants)
         return self.solution(value) if name == "xi" else value
 
     def rate(self, of: Any, order: int) -> Any:

@@ -31,7 +31,7 @@ class OnRod(Reading):
 
     hypotheses: as in Components. start: the moving symbols at the clamp. stretch: in words, on what part of a rod the
     reading holds. rods: the readings with u in its place in the plane, one for each case of the start u_o.
-    accumulated: symbols that the formula needed, and their rates.
+    accumulated: symbols that the formula needed, and their rates; integrals: those of indefinite integrals.
     """
 
     hypotheses: tuple[tuple[Expr, Expr], ...] = ()
@@ -39,6 +39,7 @@ class OnRod(Reading):
     stretch: str = ""
     rods: Callable[[], Iterable[OnRod]] = tuple
     accumulated: dict[Symbol, Expr] = field(default_factory=dict, compare=False)
+    integrals: dict[t.Node, Symbol] = field(default_factory=dict, compare=False)
 
     def call(self, name: str, primes: int, args: Sequence[Any]) -> Any:
         """A function at its arguments."""
@@ -52,10 +53,11 @@ class OnRod(Reading):
 
     def _coordinate(self, name: str, point: Expr) -> Expr:
         """y or z where the reading is; 0 at the clamp; elsewhere some number, which does not move."""
-        if point in (m.s, self.name("xi")):
+        if point in self._here() or point == self.name("xi"):
             return self.name(name)
         if point == 0:
             return point
+        self._still(name, point)
         there = Symbol(f"{name}_at_{point}")
         self.accumulated[there] = 0 * m.s
         return there
@@ -64,9 +66,19 @@ class OnRod(Reading):
         """ξ or ϰ at a point; in a reading without the elliptic solution ξ here, or another value that does not move."""
         if self.solution is not None or name != "xi":
             return super()._on_rod(name, point)
-        if point == m.s:
+        if point in self._here():
             return self.name("xi")
+        self._still(name, point)
         return self.start[xi] if point == 0 else Symbol(f"xi_at_{point}", real=True)
+
+    def _here(self) -> tuple[Any, ...]:
+        """The point of the reading, as an arc length and as u."""
+        return m.s, self.values.get("u")
+
+    def _still(self, name: str, point: Expr) -> None:
+        """Only a point that does not move along the rod is another point."""
+        if not point.free_symbols <= m.ARCS - {m.s}:
+            raise self.absent(f"'{name}' at {point}")
 
     def _rate(self, of: Any) -> Any:
         """The derivative along the rod, of accumulated quantities too."""
@@ -99,7 +111,9 @@ class OnRod(Reading):
         """An indefinite integral: a symbol whose rate is the integrand times the rate of the variable."""
         if node.lower is not None or node.upper is not None or node.region is not None or len(node.by) != 1:
             raise self.absent("an integral between limits")
-        primitive = Symbol(f"integral_{len(self.accumulated) + 1}")
+        if node in self.integrals:
+            return self.integrals[node]
+        primitive = self.integrals[node] = Symbol(f"integral_{len(self.integrals) + 1}")
         self.accumulated[primitive] = self.of(node.of, indices) * self.rate(self.of(node.by[0], indices), 1)
         return primitive
 

@@ -19,6 +19,7 @@ from derive.check.pairs import NONSENSE, pairs
 from derive.check.report import StatementVerdict
 from derive.check.statements import judge_statement
 from derive.check.suspects import suspects
+from derive.check.timing import TimeLimit, limited
 from derive.check.verdicts import DEFINITION, PROVED, REFUTED, Verdict
 from derive.paper import tree as t
 from derive.paper.errors import ReadError
@@ -124,8 +125,9 @@ def _suspects(bench: Bench, statement: t.Statement) -> set[int]:
 def _fails(bench: Bench, candidate: t.Statement) -> bool:
     """Does it fail at a point, or make nonsense?"""
     try:
-        return bench.counterexample(candidate) is not None
-    except NONSENSE:
+        with limited(CLAIM_SECONDS):
+            return bench.counterexample(candidate) is not None
+    except (*NONSENSE, TimeLimit):
         return True
 
 

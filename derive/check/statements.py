@@ -188,12 +188,15 @@ def _unsigned(
 def _value(side: t.Node, reading: Components, indices: Indices) -> Any:
     """The value of a side; of an interval, the values of its ends."""
     if isinstance(side, t.Interval):
-        return tuple(_finite(reading.of(end, indices)) for end in side.parts())
-    return _finite(reading.of(side, indices))
+        return tuple(_finite(reading.of(end, indices), reading) for end in side.parts())
+    return _finite(reading.of(side, indices), reading)
 
 
-def _finite(value: Any) -> Any:
-    if value.has(oo, -oo, zoo, nan):
+def _finite(value: Any, reading: Components) -> Any:
+    known = value
+    for old, new in reading.hypotheses:
+        known = known.subs(old, new)
+    if known.has(oo, -oo, zoo, nan):
         raise MeaningError("a side is infinite or undefined, say by a division by 0")
     return value
 

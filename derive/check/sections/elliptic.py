@@ -63,7 +63,7 @@ def on_line(case: LoadCase, functions: Weierstrass, at: Expansion, title: str) -
     reading = OnRod(
         title=f"{case.name}, on a line{title}",
         values=values,
-        domain=domain.with_range(m.s, 0, m.ell),
+        domain=domain.with_range(m.s, 0, m.ell).with_range(m.varsigma, 0, m.ell),
         polynomials={"f": case.f, "f_hat": case.f_hat},
         invariants=(functions.g2, functions.g3),
         solution=solution(functions, at),
@@ -122,7 +122,7 @@ def on_rod(case: LoadCase, functions: Weierstrass, line: OnRod, one: UoCase) -> 
         line,
         title=f"{case.name}, {one.condition}",
         values=values,
-        domain=one.domain.with_range(m.ell, *NEAR).with_range(m.s, 0, m.ell),
+        domain=one.domain.with_range(m.ell, *NEAR).with_range(m.s, 0, m.ell).with_range(m.varsigma, 0, m.ell),
         polynomials={name: put(value) for name, value in line.polynomials.items()},
         invariants=(g2, g3),
         solution=lambda value: put(start(value)),
