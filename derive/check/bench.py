@@ -13,6 +13,7 @@ from typing import Any
 from mpmath import mp
 from sympy import Rational
 
+from derive.check import growth
 from derive.check.branches import Branch, branches, index_values
 from derive.check.components import each, flat
 from derive.check.evaluate import GUARD, UndefinedError
@@ -43,13 +44,15 @@ class Bench:
     def __init__(self, theory: Any, scope: str, given: tuple[t.Statement, ...]) -> None:
         self.theory, self.scope, self.given = theory, scope, given
         self._places: dict[Any, list[list[Place]]] = {}
+        self._of_reading: dict[int, list[Place]] = {}
 
     def counterexample(self, statement: t.Statement) -> Counterexample | None:
         """A point at which the statement fails, or None. ValueError where it has no meaning."""
         for branch in branches(statement):
             for places in self._of(branch):
                 for indices in index_values(branch.statement):
-                    found = self._at(branch.statement, places, tuple(sorted(indices.items())))
+                    here = tuple(sorted(indices.items()))
+                    found = self._at(branch.statement, [p for p in places if _applies(p, branch, here)], here)
                     if found:
                         return found
         return None
@@ -72,8 +75,14 @@ class Bench:
         key = (_vocabulary(sides), given)
         if key not in self._places:
             found = readings(self.theory, self.scope, sides, given)
-            self._places[key] = [list(_places(reading)) for reading in found]
+            self._places[key] = [self._in(reading) for reading in found]
         return self._places[key]
+
+    def _in(self, reading: Components) -> list[Place]:
+        """The places of a reading; one that a section gives for several statements keeps its own."""
+        if id(reading) not in self._of_reading:  # its places hold the reading, so that no other has its id
+            self._of_reading[id(reading)] = list(_places(reading))
+        return self._of_reading[id(reading)]
 
     def _at(self, statement: t.Statement, places: list[Place], indices: Indices) -> Counterexample | None:
         done = 0
@@ -90,6 +99,15 @@ class Bench:
             if done == POINTS:
                 break
         return None
+
+
+def _applies(place: Place, branch: Branch, indices: Indices) -> bool:
+    """Does nothing that a case assumes fail at the point?"""
+    for given in branch.given:
+        for n, operator in enumerate(given.operators):
+            if operator != "->" and _fails(place, operator, given.sides[n : n + 2], indices):
+                return False
+    return True
 
 
 def _vocabulary(sides: tuple[t.Node, ...]) -> frozenset[Any]:
@@ -111,13 +129,16 @@ def _fails(place: Place, operator: str, sides: tuple[t.Node, ...], indices: Indi
         return None
     if operator == "=":
         orders = [node for side in sides for node in side.walk() if isinstance(node, t.BigO)]
-        return _order_fails(place, sides, orders, indices) if orders else _differ(place, sides, indices)
+        compared = orders or place.reading.within is not None
+        return _order_fails(place, sides, orders, indices) if compared else _differ(place, sides, indices)
     return _unordered(place, SIGNS[operator], sides, indices) if operator in SIGNS else None
 
 
 def _differ(place: Place, sides: tuple[t.Node, ...], indices: Indices) -> Counterexample | None:
     """With ± on a side, one choice of the sign must make them equal; a vector has one sign for all its components."""
     signs = (1, -1) if _has_sign(place, sides, indices) else (1,)
+    if place.grows(sides, indices):
+        return growth.differ(place, sides, indices, signs, DIGITS)
     found = None
     for sign in signs:
         gap, size = _gap(place.values(DIGITS, sign), sides, indices)
@@ -157,7 +178,8 @@ def _order_fails(
         gap, size = _gap(values, sides, indices)
         if gap <= size * mp.mpf(10) ** (-2 * DIGITS):
             return None
-        power = min(_exponent(values, node, indices, step) for node in orders)
+        powers = [_exponent(values, node, indices, step) for node in orders]
+        power = min([*powers, *([] if place.reading.within is None else [place.reading.within])])
         sizes.append(gap)
     measured = mp.log10(sizes[0] / sizes[1]) / (SMALL[1] - SMALL[0])
     if measured >= power - SLACK:

@@ -32,15 +32,15 @@ def resolved(claims: Sequence[Claim]) -> tuple[list[Claim], int | None]:
         return list(claims), None
     fitting = [sign for sign in (1, -1) if not any(_fails(_put(claim, sign)) for claim in signed)]
     if not fitting and len(signed) == 1 and isinstance(signed[0].relation, Equal):
-        either = replace(signed[0], relation=_one_of_two(signed[0].relation))
+        either = replace(signed[0], relation=_either(signed[0].relation))
         if not _fails(either):
             return [either if claim is signed[0] else claim for claim in claims], None
     sign = fitting[0] if fitting else 1
     return [_put(claim, sign) for claim in claims], sign if len(fitting) == 1 else None
 
 
-def _one_of_two(relation: Equal) -> Equal:
-    """One of the two differences vanishes: all products of their components do."""
+def _either(relation: Equal) -> Equal:
+    """That one of the two signs gives equality, at each point."""
     gap = relation.lhs - relation.rhs
     upper, lower = gap.subs(pm, 1), gap.subs(pm, -1)
     if not isinstance(gap, MatrixBase):

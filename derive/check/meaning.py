@@ -27,6 +27,8 @@ pm = Symbol("pm")  # ±: one of two signs
 u = Symbol("u", real=True)
 u_o = Symbol("u_o", real=True)
 s, ell = Symbol("s", positive=True), Symbol("ell", positive=True)
+varsigma = Symbol("varsigma", positive=True)  # the arc length of brackets; without one, some other point of the rod
+ARCS = {s, ell, varsigma}
 varkappa = Symbol("varkappa", real=True)  # ϰ while it is differentiated by
 E_X, E_Y, E_Z = (Matrix([int(i == j) for i in range(3)]) for j in range(3))
 
@@ -58,6 +60,10 @@ class Components:
     def reads(self, left: t.Node, right: t.Node) -> bool:
         """Is a relation between these sides read here? A reading may be of laws only, or of identities only."""
         return True
+
+    def spread(self, node: t.Node) -> tuple[Any, t.Node] | None:
+        """A factor and a tree whose values make that of the node, for those that compute in numbers; None if none."""
+        return None
 
     def absent(self, what: object) -> MeaningError:
         """The error for what has no meaning here."""
@@ -113,6 +119,10 @@ class Components:
 
     def sign_note(self, sign: str, title: str) -> str:
         """What is to be said of ± where only one sign will do."""
+        return ""
+
+    def condition(self, sides: Sequence[t.Node]) -> str:
+        """Under what condition, that is not printed, a relation of these sides holds that is proved here."""
         return ""
 
     def norm(self, of: Any) -> Any:
@@ -177,8 +187,10 @@ class Reading(Components):
         if self.solution is None or self.invariants is None:
             if name == "xi" and point == self.values.get("s"):
                 return self.name("xi")
+            if name == "xi" and point.free_symbols <= ARCS:
+                return Symbol(f"xi_at_{point}", real=True)  # elsewhere on the rod
             raise MeaningError(f"'{name}' at {point} has no meaning where the formula is read ({self.title})")
-        value = fn.wp(u_o + point if point.free_symbols <= {s, ell} else point, *self.invariants)
+        value = fn.wp(u_o + point if point.free_symbols <= ARCS else point, *self.invariants)
         return self.solution(value) if name == "xi" else value
 
     def rate(self, of: Any, order: int) -> Any:

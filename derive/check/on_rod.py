@@ -6,12 +6,13 @@ clamp, an indefinite integral from anywhere.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from sympy import Expr, Symbol, acosh, asin, log
 
+from derive.check import continuation
 from derive.check import meaning as m
 from derive.check.meaning import Reading
 from derive.paper import tree as t
@@ -29,14 +30,16 @@ class OnRod(Reading):
     """A reading along the rod.
 
     hypotheses: as in Components. start: the moving symbols at the clamp. stretch: in words, on what part of a rod the
-    reading holds. rods: the same reading with u on its place in the plane, one for each case of the start u_o.
-    accumulated: symbols that the formula needed, and their rates.
+    reading holds. rods: the readings with u in its place in the plane, one for each case of the start u_o.
+    accumulated: symbols that the formula needed, and their rates; integrals: those of indefinite integrals.
     """
 
     hypotheses: tuple[tuple[Expr, Expr], ...] = ()
     start: Mapping[Symbol, Expr] = field(default_factory=dict)
     stretch: str = ""
+    rods: Callable[[], Iterable[OnRod]] = tuple
     accumulated: dict[Symbol, Expr] = field(default_factory=dict, compare=False)
+    integrals: dict[t.Node, Symbol] = field(default_factory=dict, compare=False)
 
     def call(self, name: str, primes: int, args: Sequence[Any]) -> Any:
         """A function at its arguments."""
@@ -50,10 +53,11 @@ class OnRod(Reading):
 
     def _coordinate(self, name: str, point: Expr) -> Expr:
         """y or z where the reading is; 0 at the clamp; elsewhere some number, which does not move."""
-        if point in (m.s, self.name("xi")):
+        if point in self._here() or point == self.name("xi"):
             return self.name(name)
         if point == 0:
             return point
+        self._still(name, point)
         there = Symbol(f"{name}_at_{point}")
         self.accumulated[there] = 0 * m.s
         return there
@@ -62,9 +66,19 @@ class OnRod(Reading):
         """ξ or ϰ at a point; in a reading without the elliptic solution ξ here, or another value that does not move."""
         if self.solution is not None or name != "xi":
             return super()._on_rod(name, point)
-        if point == m.s:
+        if point in self._here():
             return self.name("xi")
+        self._still(name, point)
         return self.start[xi] if point == 0 else Symbol(f"xi_at_{point}", real=True)
+
+    def _here(self) -> tuple[Any, ...]:
+        """The point of the reading, as an arc length and as u."""
+        return m.s, self.values.get("u")
+
+    def _still(self, name: str, point: Expr) -> None:
+        """Only a point that does not move along the rod is another point."""
+        if not point.free_symbols <= m.ARCS - {m.s}:
+            raise self.absent(f"'{name}' at {point}")
 
     def _rate(self, of: Any) -> Any:
         """The derivative along the rod, of accumulated quantities too."""
@@ -75,7 +89,16 @@ class OnRod(Reading):
         """of with the value in the place of the variable."""
         if node.variable is None:
             raise self.absent("a value at a point of nothing")
+        if node.variable == t.Name("u") and isinstance(node.of, t.Call) and node.of.args == (node.variable,):
+            return self._of_u(node.of.name, self.of(node.value, indices))
         return self.of(replaced(node.of, node.variable, node.value), indices)
+
+    def _of_u(self, name: str, point: Expr) -> Expr:
+        """ξ or ϰ as a function of u."""
+        if name not in ("xi", "varkappa") or self.solution is None or self.invariants is None:
+            raise self.absent(f"'{name}' as a function of u")
+        value = fn.wp(point, *self.invariants)
+        return self.solution(value) if name == "xi" else value
 
     def between(self, node: t.Between, indices: Indices) -> Any:
         """The difference of the values at the limits."""
@@ -88,7 +111,9 @@ class OnRod(Reading):
         """An indefinite integral: a symbol whose rate is the integrand times the rate of the variable."""
         if node.lower is not None or node.upper is not None or node.region is not None or len(node.by) != 1:
             raise self.absent("an integral between limits")
-        primitive = Symbol(f"integral_{len(self.accumulated) + 1}")
+        if node in self.integrals:
+            return self.integrals[node]
+        primitive = self.integrals[node] = Symbol(f"integral_{len(self.integrals) + 1}")
         self.accumulated[primitive] = self.of(node.of, indices) * self.rate(self.of(node.by[0], indices), 1)
         return primitive
 
@@ -102,11 +127,16 @@ class OnRod(Reading):
 
     def frontier(self, value: Any, end: Any) -> Any:
         """Of ξ: f, which is ≥ 0 on the rod and ends in its roots. Of s: what vanishes at the ends of the rod."""
-        if value == self.name("xi") and "f" in self.polynomials:
-            return self.polynomials["f"].subs(xi, end)
+        for sign in (1, -1):
+            if value == sign * self.name("xi") and "f" in self.polynomials:
+                return self.polynomials["f"].subs(xi, sign * end)
         if value == m.s:
             return end * (end - self.name("ell"))
         return super().frontier(value, end)
+
+    def condition(self, sides: Sequence[t.Node]) -> str:
+        """Whether logarithms have to be continued along the rod."""
+        return continuation.condition(sides, self.rods())
 
     def sign_note(self, sign: str, title: str) -> str:
         """Of what accumulates, that the sign stands for a stretch of the rod, and for which."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import random
 from bisect import bisect_left
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from typing import Any
 
@@ -27,13 +28,21 @@ NONSENSE = (ValueError, ArithmeticError, TypeError, NotImplementedError)
 
 
 def pairs(bench: Bench, statement: t.Statement, once: Sequence[Edit]) -> list[tuple[Edit, Edit]]:
-    """Pairs of edits that undo the difference of two sides at a point: likeliest first, and the inner edit first."""
-    found: dict[tuple[int, int], None] = {}
-    for n, operator in enumerate(statement.operators):
-        for place, indices in bench.wrong(statement, n) if operator == "=" else ():
-            found |= dict.fromkeys(_Amounts(statement, n, place, indices, once).pairs())
-    chosen = [_inner_first(once[a], once[b]) for a, b in found]
-    return sorted(chosen, key=lambda pair: sum(KINDS.index(one.kind) for one in pair))
+    """Pairs of edits that undo the difference of two sides at a point, and the inner edit of each first.
+
+    First come those that do so for the most relations that are wrong, in the most readings; of these, the likeliest.
+    """
+    wrong = [
+        _Amounts(statement, n, place, indices, once)
+        for n, operator in enumerate(statement.operators)
+        if operator == "="
+        for place, indices in bench.wrong(statement, n)
+    ]
+    found = Counter(pair for amounts in wrong for pair in dict.fromkeys(amounts.pairs()))
+    for pair in found:
+        found[pair] += sum(amounts.undone_by_one(pair) for amounts in wrong)
+    chosen = sorted(found, key=lambda pair: (-found[pair], sum(KINDS.index(once[k].kind) for k in pair)))
+    return [_inner_first(once[a], once[b]) for a, b in chosen]
 
 
 def _inner_first(one: Edit, other: Edit) -> tuple[Edit, Edit]:
@@ -64,6 +73,11 @@ class _Amounts:
             return self._gap(changed) - self.gap
         except NONSENSE:
             return None
+
+    def undone_by_one(self, pair: tuple[int, int]) -> bool:
+        """Does one edit of a pair undo the difference, and the other leave it alone?"""
+        inside = [self.amounts[k] for k in pair if k in self.amounts]
+        return len(inside) == 1 and abs(inside[0] + self.gap) <= CLOSE * abs(self.gap)
 
     def pairs(self) -> Iterator[tuple[int, int]]:
         """Numbers of edits that together undo the difference."""

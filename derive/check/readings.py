@@ -110,7 +110,8 @@ def _letters(case: LoadCase) -> dict[str, Any]:
     """β, η (0 where the section has none), the constant and its range, the roots of f̂, arc lengths."""
     bar = "_bar" if case.constant == gamma_bar else ""
     values: dict[str, Any] = {"beta": 0 * beta, "eta": 0 * eta, **{p.name: p for p in case.parameters}}
-    values |= {"gamma": case.gamma, "s": m.s, "ell": m.ell, "u_o": m.u_o, "u": m.u, "theta": theta}
+    values |= {"gamma": case.gamma, "s": m.s, "ell": m.ell, "varsigma": m.varsigma, "u_o": m.u_o, "u": m.u}
+    values |= {"theta": theta}
     values |= {f"gamma{bar}": case.constant, f"gamma{bar}_1": case.ends[0], f"gamma{bar}_2": case.ends[1]}
     return values | (dict(zip(("xi_a", "xi_b"), case.roots, strict=True)) if len(case.roots) == 2 else {})
 
@@ -150,7 +151,7 @@ def _elliptic(
     value = m.fn.wp(here, functions.g2, functions.g3)
     near = (Rational(1, 10), Rational(2, 10))
     domain = case.domain(**ranges)
-    for symbol in (m.u, m.u_o, m.s, m.ell):
+    for symbol in (m.u, m.u_o, m.s, m.ell, m.varsigma):
         domain = domain.with_range(symbol, *near)
     return replace(
         base,

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 from sympy import Integer, MatrixBase
 
-from derive.check.branches import Branch, branches, index_values
+from derive.check.branches import Branch, branches, index_values, mapped
 from derive.check.judge import judge
 from derive.check.meaning import Components, pm
 from derive.check.readings import readings
@@ -19,6 +20,7 @@ from derive.paper.symbolic import Indices
 from derive.theory.claims import Claim, Equal, Limit, Order
 
 SECONDS = 10.0  # for one claim
+FLIPPED = {r"\pm": r"\mp", r"\mp": r"\pm"}
 
 
 class _OtherFormError(Exception):
@@ -30,8 +32,29 @@ def same_meaning(
 ) -> bool:
     """Is the mutant proved to say what the original says?
 
-    Row by row, case by case and side by side; where an order of magnitude is stated, up to that order.
+    Row by row, case by case and side by side; where an order of magnitude is stated, up to that order. Equations with
+    ± say the same with all signs turned: −A = ∓B is A = ±B, whichever of the signs holds.
     """
+    if _same_sides(theory, scope, original, mutant, given):
+        return True
+    signed = any(isinstance(node, t.Signed) and node.sign in FLIPPED for side in original.sides for node in side.walk())
+    equal = set(original.operators) == {"="}
+    return signed and equal and _same_sides(theory, scope, original, _turned(mutant), given)
+
+
+def _turned(statement: t.Statement) -> t.Statement:
+    """−A = ∓B for A = ±B."""
+
+    def flip(node: t.Node) -> t.Node:
+        return replace(node, sign=FLIPPED[node.sign]) if isinstance(node, t.Signed) and node.sign in FLIPPED else node
+
+    flipped = mapped(statement, flip)
+    return replace(flipped, sides=tuple(t.Signed("-", side) for side in flipped.sides))
+
+
+def _same_sides(
+    theory: Any, scope: str, original: t.Statement, mutant: t.Statement, given: tuple[t.Statement, ...]
+) -> bool:
     try:
         pairs = zip(branches(original), branches(mutant), strict=True)
         return all(_holds(claim) for one, other in pairs for claim in _claims(theory, scope, one, other, given))

@@ -58,6 +58,8 @@ def hypotheses(given: Given) -> dict[sp.Expr, sp.Expr]:
         if isinstance(old, fn.wp) and old.args[0].is_Symbol:
             v, g2, g3 = old.args
             fixed[v] = wp_inverse(new, slopes.get(old.args, sp.Integer(0)), g2, g3)
+        elif old.is_Symbol:
+            fixed[old] = new
         elif old.is_Pow and old.exp == 2 and (old.base.is_Symbol or isinstance(old.base, AppliedUndef | sp.Derivative)):
             fixed[old.base] = sp.sqrt(new)
     later = list(given)
@@ -75,7 +77,8 @@ class Sampler:
 
     def __init__(self, expressions: Iterable[sp.Expr], domain: Domain, given: Given = (), seed: int = 0) -> None:
         self.domain = domain
-        self.fixed = hypotheses(given)
+        self.every = self.fixed = hypotheses(given)
+        self.squared = {old.base for old, _ in given if old.is_Pow}
         ends = [end for pair in domain.ranges.values() for end in pair]
         everything = [*expressions, *domain.conditions, *map(sp.sympify, ends), *self.fixed.values()]
         free = [x for x in unknowns(everything) if x not in domain.ranges and x not in self.fixed]
@@ -103,14 +106,21 @@ class Sampler:
                 return None
             point[symbol] = value
         for symbol, value in self.fixed.items():
-            point[symbol] = -value if not isinstance(value, wp_inverse) and self.random.random() < 0.5 else value
+            point[symbol] = self._either(symbol, value)
         return point if all(self._positive(condition, point) for condition in self.domain.conditions) else None
 
     def extend(self, point: ExactPoint, expressions: Iterable[sp.Expr]) -> None:
         """Give values to the unknowns of the expressions that the point does not have yet, where they can be drawn."""
         for symbol in unknowns(expressions):
-            if symbol not in point and (value := self._value(symbol, point)) is not None:
+            if symbol not in point and symbol in self.every:
+                self.extend(point, [self.every[symbol]])
+                point[symbol] = self._either(symbol, self.every[symbol])
+            elif symbol not in point and (value := self._value(symbol, point)) is not None:
                 point[symbol] = value
+
+    def _either(self, symbol: sp.Expr, value: sp.Expr) -> sp.Expr:
+        """The value of what is fixed; of what only has a square, one of two."""
+        return -value if symbol in self.squared and self.random.random() < 0.5 else value
 
     def inside(self, point: ExactPoint) -> bool:
         """True if a point is in the domain, and obeys the assumptions of the symbols."""

@@ -5,13 +5,12 @@ Relations are read as ``relations`` says, ± as ``either`` does: one sign for th
 - ``A → B``: a limit, for the limit that the text assumes (its hypothesis ``γ → γ_1``). The target of an arrow does
   not vary, so whatever stands right of an arrow is taken *at* the limit: ``ξ_b → ξ_b = 1 + 2β/η`` says that ξ_b tends
   to its value at the limit, and that this value is 1 + 2β/η. The verdict's reason says where this was needed.
+- ``A = B`` where the text drops what is O(εⁿ): the difference is of that order.
 - Cases: each is judged where its condition holds; where none of them holds, the statement is refuted.
 
 A formula that holds along every rod, but with a sign or a branch that is not printed, is PROVED, and the condition
 that was found is in the verdict's reason: ± that changes its sense along a rod, a logarithm whose principal value
 jumps. What the printed signs cannot mend, at any point of any rod, is REFUTED there.
-
-- ``A = B`` where the text drops what is O(εⁿ): the difference is of that order.
 
 An equality that holds is a DEFINITION if it introduces a name, as the conventions say of the name: alone on the first
 side, under no hypothesis. Everything else that is proved is PROVED. Nothing is looked up: verdicts are computed.
@@ -21,7 +20,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from sympy import Symbol, nan, oo, zoo
@@ -93,8 +92,14 @@ def _of_branch(
         for indices in index_values(branch.statement):
             parts = [branch.title, reading.title, *(f"{letter} = {value}" for letter, value in indices.items())]
             where = ", ".join(part for part in parts if part)
-            for title, claim, note in claims_of(branch.statement, reading, whole, stem, indices):
-                yield RelationVerdict(f"{title} ({where})", decide(claim), note)
+            made = [
+                RelationVerdict(f"{title} ({where})", decide(claim), note)
+                for title, claim, note in claims_of(branch.statement, reading, whole, stem, indices)
+            ]
+            if made and all(one.verdict.verdict == PROVED for one in made):
+                condition = reading.condition(branch.statement.sides)
+                made[-1] = replace(made[-1], note="; ".join(filter(None, (made[-1].note, condition))))
+            yield from made
 
 
 def said_of(statement: t.Statement) -> tuple[t.Node, ...]:
@@ -183,12 +188,15 @@ def _unsigned(
 def _value(side: t.Node, reading: Components, indices: Indices) -> Any:
     """The value of a side; of an interval, the values of its ends."""
     if isinstance(side, t.Interval):
-        return tuple(_finite(reading.of(end, indices)) for end in side.parts())
-    return _finite(reading.of(side, indices))
+        return tuple(_finite(reading.of(end, indices), reading) for end in side.parts())
+    return _finite(reading.of(side, indices), reading)
 
 
-def _finite(value: Any) -> Any:
-    if value.has(oo, -oo, zoo, nan):
+def _finite(value: Any, reading: Components) -> Any:
+    known = value
+    for old, new in reading.hypotheses:
+        known = known.subs(old, new)
+    if known.has(oo, -oo, zoo, nan):
         raise MeaningError("a side is infinite or undefined, say by a division by 0")
     return value
 

@@ -53,6 +53,26 @@ class Place:
             self.made[digits, sign, small] = Values(self, digits, special)
         return self.made[digits, sign, small]
 
+    def whole(self, node: t.Node, indices: Indices) -> Any:
+        """The SymPy value of a side."""
+        key = ("whole", node, indices)
+        if key not in self.symbolic:
+            self.symbolic[key] = sympify(self.reading.of(node, dict(indices)), strict=True)
+        return self.symbolic[key]
+
+    def rate(self, node: t.Node, indices: Indices) -> Any:
+        """Its derivative along the rod."""
+        key = ("rate", node, indices)
+        if key not in self.symbolic:
+            self.symbolic[key] = sympify(self.reading.rate(self.whole(node, indices), 1), strict=True)
+        return self.symbolic[key]
+
+    def grows(self, sides: tuple[t.Node, ...], indices: Indices) -> bool:
+        """Does a side hold what accumulates along the rod?"""
+        if type(self.reading).accumulates is Components.accumulates:
+            return False
+        return self.reading.accumulates(*(self.whole(side, indices) for side in sides))
+
 
 class Values:
     """The values of trees in a reading at one point of it, which grows by the unknowns that are met.
@@ -89,6 +109,10 @@ class Values:
             return max(abs(x) for term in terms for x in flat(self.part(term, indices)))
 
     def _computed(self, node: t.Node, indices: Indices) -> Value:
+        spread = self.reading.spread(node)
+        if spread is not None:
+            factor, of = self._numbers(spread[0])[0], self.part(spread[1], indices)
+            return each(lambda x: factor * x, of)
         rule = _RULES.get(type(node))
         if rule is None or (type(node) in OPERATIONS and type(node) not in self.plain):
             return self._leaf(node, indices)
@@ -102,21 +126,25 @@ class Values:
             raise UndefinedError(str(error)) from error
 
     def _leaf(self, node: t.Node, indices: Indices) -> Value:
-        key = (node, indices)
-        symbolic, point = self.place.symbolic, self.place.point
+        key, symbolic = (node, indices), self.place.symbolic
         if key not in symbolic:
-            symbolic[key] = sympify(self.reading.of(node, dict(indices)), strict=True)
+            symbolic[key] = self.reading.of(node, dict(indices))
         value = symbolic[key]
-        if value.has(oo, -oo, zoo, nan):
-            raise UndefinedError("a part is infinite or undefined")
-        entries = list(value) if isinstance(value, MatrixBase) else [value]
-        self.place.sampler.extend(point, entries)
-        numbers = [evaluate(entry, {**point, **self.special}, self.digits) for entry in entries]
+        numbers = self._numbers(value)
         if not isinstance(value, MatrixBase):
             return numbers[0]
         width = value.shape[1]
         rows = [tuple(numbers[n : n + width]) for n in range(0, len(numbers), width)]
         return tuple(numbers) if width == 1 else tuple(rows)
+
+    def _numbers(self, value: Any) -> list[Any]:
+        """The components of a value of SymPy's."""
+        value = sympify(value, strict=True)
+        if value.has(oo, -oo, zoo, nan):
+            raise UndefinedError("a part is infinite or undefined")
+        entries = list(value) if isinstance(value, MatrixBase) else [value]
+        self.place.sampler.extend(self.place.point, entries)
+        return [evaluate(entry, {**self.place.point, **self.special}, self.digits) for entry in entries]
 
     def parts(self, node: t.Node, indices: Indices) -> list[Value]:
         """The values of the parts of a node."""

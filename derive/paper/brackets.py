@@ -13,7 +13,7 @@ from lark import Token
 
 from .errors import ReadError
 
-MAX_DEPTH = 40  # of nested brackets and braces; the article needs 8
+MAX_DEPTH = 32  # of nested brackets and braces; the article needs 8
 
 CLOSES = {
     "RPAR": ("LPAR",), "RBRACKET": ("LBRACKET",), "RBRACE": ("LBRACE",), "RSET": ("LSET", "LNONE"),

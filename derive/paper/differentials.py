@@ -66,7 +66,7 @@ def _split(rest: Sequence[Syntax], span: t.Span, resolver: Resolver) -> tuple[li
     found: list[t.Node] = []
     place = first
     while place < len(rest):
-        if not differential(rest[place:], resolver):
+        if differential(rest[place:], resolver) != "d":
             raise resolver.error(start(rest[place]), "where does the integral end? write brackets around it")
         found.append(_variable(rest[place + 1], resolver))
         place += 2

@@ -38,6 +38,8 @@ class Factor:
         if self.core is None:
             raise resolver.error(self.span[0], "a list in brackets is only read as arguments")
         node = self.core
+        if self.declared is not None and self.declared.kind in ("function", "order"):
+            raise resolver.error(self.span[1], f"the function {self.declared.latex} needs an argument in brackets")
         if self.scripts.primes:
             if self.declared is not None and not self.declared.callable:
                 raise resolver.error(self.span[0], f"{self.declared.latex} is a constant; it has no derivative")
@@ -54,21 +56,20 @@ class Factor:
         for argument in bracket.arguments or ():
             if argument.type != t.SCALAR and not declared.argument:
                 raise resolver.error(argument.span[0], f"the argument of {declared.latex} must be a scalar")
-        power = self.scripts.power
-        if bracket.scripts.primes or self.scripts.at or (power is not None and bracket.scripts.power is not None):
+        if bracket.scripts.primes or self.scripts.bounded or (self.scripts.raised and bracket.scripts.raised):
             message = "primes, values or a second power between a symbol and its argument or after it; write brackets"
             raise resolver.error(bracket.span[0], message)
         if declared.kind == "order":
-            if self.scripts.primes or len(bracket.arguments or ()) != 1:
-                raise resolver.error(self.span[0], f"{declared.latex} takes one argument and no primes")
+            if not self.scripts.plain:
+                raise resolver.error(self.span[0], f"nothing is written on {declared.latex} but its argument")
             return bracket.scripts.around(t.BigO((bracket.arguments or ())[0], span=span), span, resolver)
+        power, primes = self.scripts.power, self.scripts.primes
         if power is not None and declared.kind == "function" and isinstance(power, t.Signed):
             raise resolver.error(power.span[0], "inverse function or reciprocal? write which")
-        arguments, primes = bracket.arguments or (), self.scripts.primes
-        node = t.Call(declared.name, arguments, primes, declared.type, declared.index, span=span)
-        scripts = replace(bracket.scripts, power=power or bracket.scripts.power)
-        if self.scripts.transposed:
-            scripts = replace(scripts, transposed=True)
+        node = t.Call(declared.name, bracket.arguments or (), primes, declared.type, declared.index, span=span)
+        scripts = bracket.scripts
+        if self.scripts.raised:
+            scripts = replace(scripts, power=power, transposed=self.scripts.transposed)
         return scripts.around(node, span, resolver)
 
     def as_argument(self, resolver: Resolver) -> Factor:
@@ -145,18 +146,23 @@ def _compound(base: Tree[Token], resolver: Resolver) -> tuple[t.Node | None, tup
         return resolver.norm(resolver.sum(children[1]), span), None
     if base.data in ("stack", "cases"):
         return resolver.rows_of(base, span), None
+    return _bracket(children, span, resolver)
+
+
+def _bracket(children: list[Any], span: t.Span, resolver: Resolver) -> tuple[t.Node | None, tuple[t.Node, ...] | None]:
+    """A bracket: of one part, an interval or two arguments, more arguments, or a set."""
     opening, parts, closing = children
     arguments = tuple(resolver.sum(part) for part in parts.children if isinstance(part, Tree))
-    commas = [part for part in parts.children if isinstance(part, Token)]
+    commas = all(part == "," for part in parts.children if isinstance(part, Token))
     if opening.type == "LSET":
-        if any(comma != "," for comma in commas):
-            raise resolver.error(span[0], "the parts of a list stand between commas")
+        if not commas or len({argument.type for argument in arguments}) > 1:
+            raise resolver.error(span[0], "a list holds quantities of one type between commas")
         return t.Listing(arguments, span=span), None
     if len(arguments) == 1:
         if "[" in closing or "]" in opening:
             raise resolver.error(span[0], "an interval has two ends")
         return replace(arguments[0], span=span), arguments
-    if len(arguments) == 2 and commas[0] == ",":
+    if len(arguments) == 2 and commas and all(argument.type == t.SCALAR for argument in arguments):
         left, right = opening[-1] in "(]", closing[-1] in ")["
         return t.Interval(*arguments, left, right, span=span), arguments
     return None, arguments

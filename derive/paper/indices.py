@@ -11,6 +11,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import reduce
+from operator import add, or_
 
 from . import tree as t
 from .errors import ReadError
@@ -68,8 +69,13 @@ def _fits_all(node: t.Node) -> bool:
 
 
 def _written(node: t.Node) -> Counter[str]:
-    own = [node.index] if isinstance(node, t.Name | t.Call) and node.index else []
-    return reduce(lambda one, other: one + _written(other), node.parts(), Counter(own))
+    """How often each free index is written in a node; in a sum, in that of its terms where it is written most."""
+    own = Counter([node.index] if isinstance(node, t.Name | t.Call) and node.index else [])
+    parts = [_written(part) for part in node.parts()]
+    found = reduce(or_ if isinstance(node, _ALTERNATIVES) else add, parts, own)
+    if isinstance(node, t.Contraction):
+        del found[node.index]
+    return found
 
 
 def _contracted(node: t.Node, complain: Complain) -> _Read:
@@ -103,8 +109,9 @@ def _alternatives(whole: t.Node, parts: list[_Read], complain: Complain) -> _Rea
 
 def _no_clash(parts: list[_Read], complain: Complain, apart: bool) -> None:
     """apart: above and below in a fraction each may have its own sum over the same letter."""
-    for place, part in enumerate(parts):
-        for other in parts[:place]:
+    written = [part for part in parts if part.bound or part.free]
+    for place, part in enumerate(written):
+        for other in written[:place]:
             shared = (part.bound & set(other.free)) | (other.bound & set(part.free))
             shared |= frozenset() if apart else part.bound & other.bound
             if shared:

@@ -126,14 +126,14 @@ class Printer:
                 return self.scope.declared(node.name, node.index).latex
             case t.Call():
                 return self.call(node, "")
-            case t.Primed(of=t.Name()):
-                return f"{scripted(self.factor(node.of))}{primes(node.order)}"
+            case t.Primed(of=t.Name() as name):
+                return f"{self._scripted(name)}{primes(node.order)}"
             case t.Primed():
                 return f"{self.bracket(node.of)}{primes(node.order)}"
             case t.Power():
                 return self._power(node)
-            case t.Transpose(of=t.Name()):
-                return rf"{scripted(self.factor(node.of))}^{{\mathsf{{T}}}}"
+            case t.Transpose(of=t.Name() as name):
+                return rf"{self._scripted(name)}^{{\mathsf{{T}}}}"
             case t.Transpose():
                 return rf"{self.bracket(node.of)}^{{\mathsf{{T}}}}"
         layout: Callable[[Printer, t.Node], str] | None = LAYOUTS.get(type(node))
@@ -145,31 +145,32 @@ class Printer:
 
     def _power(self, node: t.Power) -> str:
         exponent = f"^{{{self.sum(node.exponent)}}}"
-        if isinstance(node.base, t.Call) and not (node.base.primes or isinstance(node.exponent, t.Signed)):
+        if isinstance(node.base, t.Call) and not node.base.primes and not isinstance(node.exponent, t.Signed):
             return self.call(node.base, exponent)
         if isinstance(node.base, t.Name):
-            return scripted(self.factor(node.base)) + exponent
+            return self._scripted(node.base) + exponent
         if isinstance(node.base, t.Number | t.Norm):
             return self.factor(node.base) + exponent
         return self.bracket(node.base) + exponent
 
+    def _scripted(self, node: t.Node) -> str:
+        """The letter, ready for a superscript: in braces if it has one of its own."""
+        assert isinstance(node, t.Name | t.Call)
+        latex = self.scope.declared(node.name, node.index).latex
+        return f"{{{latex}}}" if "^" in latex else latex
+
     def call(self, node: t.Call, power: str) -> str:
         """A function at its arguments."""
         declared = self.scope.declared(node.name, node.index)
-        head = scripted(declared.latex) + primes(node.primes) if node.primes else declared.latex
-        head = scripted(head) if power else head
+        superscript = primes(node.primes) if node.primes else power
+        head = (self._scripted(node) if superscript else declared.latex) + superscript
         first, *others = (self.sum(arg) for arg in node.args)
         mark = "," if " " in declared.argument else ";"  # coordinates, or an argument and parameters
         inside = f"{first}{mark} {', '.join(others)}" if others else first
-        return rf"{head}{power} \left( {inside} \right)"
+        return rf"{head} \left( {inside} \right)"
 
 
 _LAST = t.Integral | t.Limit | t.Compose
-
-
-def scripted(latex: str) -> str:
-    """A symbol that may carry a superscript: in braces if it has one already, as TeX wants."""
-    return f"{{{latex}}}" if "^" in latex else latex
 
 
 def primes(order: int) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from . import tree as t
@@ -31,6 +31,16 @@ class Scripts:
     def plain(self) -> bool:
         """Is nothing written there?"""
         return self == Scripts()
+
+    @property
+    def raised(self) -> bool:
+        """Is there a power or the sign of the transpose?"""
+        return self.power is not None or self.transposed
+
+    @property
+    def bounded(self) -> bool:
+        """Is there a lower or an upper value?"""
+        return self.at is not None or self.upto is not None
 
     def around(self, node: t.Node, span: t.Span, resolver: Resolver) -> t.Node:
         """The node with all of them but the primes, from the inside out."""
@@ -67,38 +77,45 @@ def _raised(node: t.Node, power: t.Node, span: t.Span, resolver: Resolver) -> t.
 
 def read_scripts(scripts: list[Syntax], square: bool, resolver: Resolver) -> Scripts:
     """The scripts of a factor. square: it is a square bracket, whose indices are bounds."""
-    primes, named, transposed = 0, False, False
-    power: t.Node | None = None
-    at: Place | None = None
-    upto: Place | None = None
     bounds = square and any(script.data == "subscript" for script in scripts)
+    found = Scripts()
     for script in scripts:
-        place, kind = script.meta.start_pos, script.data
-        if at is not None and kind not in ("upto", "superscript"):
-            raise resolver.error(place, "nothing but an upper bound stands after a value; write brackets")
-        if kind == "prime":
-            if power is not None or transposed:
-                raise resolver.error(place, "a prime after a power; write brackets")
-            primes += len(script.children)
-        elif kind == "at":
-            at = _equation(script, resolver)
-        elif kind in ("upto", "superscript") and upto is not None:
+        found = _with(found, script, square, bounds, resolver)
+    return found
+
+
+def _with(found: Scripts, script: Syntax, square: bool, bounds: bool, resolver: Resolver) -> Scripts:
+    """One script more."""
+    place, kind = script.meta.start_pos, script.data
+    if found.at is not None and kind not in ("upto", "superscript"):
+        raise resolver.error(place, "nothing but an upper bound stands after a value; write brackets")
+    if kind == "prime":
+        if found.power is not None or found.transposed:
+            raise resolver.error(place, "a prime after a power; write brackets")
+        return replace(found, primes=found.primes + len(script.children))
+    if kind == "at" or (kind == "subscript" and square):
+        return replace(found, at=_place(script, resolver))
+    if kind == "upto" or (kind == "superscript" and bounds):
+        if found.upto is not None:
             raise resolver.error(place, "two upper bounds on one bracket")
-        elif kind == "upto":
-            upto = _equation(script, resolver)
-        elif kind == "subscript" and square:
-            at = (None, resolver.argument(script.children[0]))
-        elif kind == "superscript" and bounds:
-            upto = (None, resolver.argument(script.children[0]))
-        elif kind == "superscript" and not (power or transposed) and is_transpose(script.children[0], resolver.error):
-            transposed = True
-        elif kind == "subscript" or is_label(script.children[0]):
-            named = True
-        elif power is not None or transposed or at is not None:
-            raise resolver.error(place, "two powers on one symbol; write brackets")
-        else:
-            power = resolver.argument(script.children[0])
-    return Scripts(primes, power, transposed, named, at, upto)
+        return replace(found, upto=_place(script, resolver))
+    if kind == "subscript":
+        return replace(found, named=True)
+    transposed = is_transpose(script.children[0], resolver.error)
+    if is_label(script.children[0]) and not transposed:
+        return replace(found, named=True)
+    if found.power is not None or found.transposed or found.at is not None:
+        raise resolver.error(place, "two powers on one symbol; write brackets")
+    if transposed:
+        return replace(found, transposed=True)
+    return replace(found, power=resolver.argument(script.children[0]))
+
+
+def _place(script: Syntax, resolver: Resolver) -> Place:
+    """A value, with its variable where it is printed."""
+    if script.data in ("subscript", "superscript"):
+        return None, resolver.argument(script.children[0])
+    return _equation(script, resolver)
 
 
 def _equation(script: Syntax, resolver: Resolver) -> Place:

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from sympy import Expr, Function, Rational, default_sort_key
+from sympy import Expr, Function, Rational, S, default_sort_key
 from sympy.core.function import ArgumentIndexError
 
 
@@ -19,6 +19,11 @@ class wp(Function):  # noqa: N801 - the standard name of the function
     """Weierstrass ℘(u; g₂, g₃), DLMF 23.2(ii)."""
 
     nargs = 3
+
+    @classmethod
+    def eval(cls, *args: Any) -> Expr | None:
+        """Infinite at 0."""
+        return S.ComplexInfinity if args[0] == 0 else None
 
     def fdiff(self, argindex: int = 1) -> Expr:
         """℘′ for the first argument; derivatives in the invariants are not provided."""
@@ -32,6 +37,11 @@ class wp_prime(Function):  # noqa: N801 - the standard name of the function
 
     nargs = 3
 
+    @classmethod
+    def eval(cls, *args: Any) -> Expr | None:
+        """Infinite at 0."""
+        return S.ComplexInfinity if args[0] == 0 else None
+
     def fdiff(self, argindex: int = 1) -> Expr:
         """℘″ = 6℘² − g₂/2 (DLMF 23.3.12)."""
         if argindex != 1:
@@ -44,6 +54,11 @@ class wzeta(Function):  # noqa: N801 - the standard name of the function
 
     nargs = 3
 
+    @classmethod
+    def eval(cls, *args: Any) -> Expr | None:
+        """Infinite at 0."""
+        return S.ComplexInfinity if args[0] == 0 else None
+
     def fdiff(self, argindex: int = 1) -> Expr:
         """−℘."""
         if argindex != 1:
@@ -55,6 +70,11 @@ class wsigma(Function):  # noqa: N801 - the standard name of the function
     """Weierstrass σ(u; g₂, g₃), with σ′ = ζσ (DLMF 23.2.8)."""
 
     nargs = 3
+
+    @classmethod
+    def eval(cls, *args: Any) -> Expr | None:
+        """0 at 0."""
+        return S.Zero if args[0] == 0 else None
 
     def fdiff(self, argindex: int = 1) -> Expr:
         """ζσ."""

@@ -126,16 +126,16 @@ def _energy(plane: Plane, half: HalfAngle, book: Notebook) -> Expr:
     density = Poly(plane.energy_density, plane.alignment)
     linear, quadratic = (density.coeff_monomial(plane.alignment**power) for power in (1, 2))
     # exsl8: ½θ′² is ½γ − β cos θ + ψ; and w² = ½(1 + cos 2(θ − α)).
-    constant = half.gamma / 2 + quadratic
-    first, second = 2 * linear * exp(-I * alpha) - 2 * beta, quadratic * exp(-2 * I * alpha)
-    along = first * exp(I * theta) + second * exp(2 * I * theta)
-    real_part = (along + along.subs(I, -I)) / 2
+    constant, towards = half.gamma / 2 + quadratic, exp(-I * alpha)
+    first, second = 2 * linear * towards - 2 * beta, quadratic * towards**2
+    energy = book.show("energy", constant * ell + re(first * place + second * turns))
+    # Per unit length.
+    along = energy.subs({ell: 1, place: exp(I * theta), turns: exp(2 * I * theta)}).expand(complex=True)
     work = plane.energy_density.subs(plane.alignment, cos(theta - alpha)) - beta * cos(theta)
     title, where = "the energy along the rod by e^{iθ}", half.domain.with_range(theta, -pi, pi)
-    same = Equal(constant + real_part, half.levels / 2 + work)
-    steps = ("plane.energy", "plane.variation", "oblique.free_end")
+    same, steps = Equal(along, half.levels / 2 + work), ("plane.energy", "plane.variation", "oblique.free_end")
     book.claim("oblique.energy", title, same, domain=where, steps=steps)
-    return book.show("energy", constant * ell + re(first * place + second * turns))
+    return energy
 
 
 def main() -> None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from sympy import Expr, I, Integer, Rational, Symbol, atanh, diff, exp, sinh, sqrt, tanh
+from sympy import Expr, I, Integer, Matrix, Rational, Symbol, atanh, diff, exp, sinh, sqrt, tanh
 
 from .claims import Domain, Equal, Notebook
 from .oblique_lattice import HalfAngleLattice, of_roots
@@ -39,9 +39,10 @@ def derive(lattice: HalfAngleLattice, book: Notebook) -> Degenerate:
     book.claim("oblique.straight", title, none, domain=where, steps=("oblique.discriminant",))
     equation = of_roots((DOUBLE, DOUBLE, -2 * DOUBLE))
     g2, g3 = -diff(equation, kappa).subs(kappa, 0), -equation.subs(kappa, 0)
-    none, where = Equal(g2**3, 27 * g3**2), Domain({sigma: (Rational(1, 5), 1)})
+    where, values = Domain({sigma: (Rational(1, 5), 1)}), (g2, g3, g2**3 - 27 * g3**2)
+    none = Equal(Matrix(values), Matrix([12 * DOUBLE**2, -8 * DOUBLE**3, 0]))
     title, steps = "a double half-period value: the discriminant is zero", ("oblique.discriminant_roots",)
-    book.claim("oblique.double", title, none, domain=where, steps=steps, source="DLMF 23.3.4")
+    book.claim("oblique.double", title, none, domain=where, steps=steps, source="DLMF 23.3.7")
     value = book.show("℘", DOUBLE + k**2 / sinh(k * sigma) ** 2)
     elementary = Equal(diff(value, sigma) ** 2, equation.subs(kappa, value))
     title, rests = "the degenerate ℘ is elementary", ("oblique.double", "weierstrass.second_derivative")

@@ -14,7 +14,22 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from sympy import Derivative, Expr, I, Integer, Poly, Rational, Symbol, cancel, diff, discriminant, oo, sqrt, symbols
+from sympy import (
+    Derivative,
+    Expr,
+    I,
+    Integer,
+    Poly,
+    Rational,
+    Symbol,
+    cancel,
+    diff,
+    discriminant,
+    expand,
+    oo,
+    sqrt,
+    symbols,
+)
 
 from .claims import Domain, Equal, Limit, Notebook, Positive
 from .functions import RF, wp
@@ -23,11 +38,15 @@ from .symbols import sigma
 from .weierstrass import Expansion, expansion, invariants, kappa, resolvent
 
 t_1, t_2, t_3 = TURNS = symbols("t_1:4")  # t where the rod would turn back, other than at the tip
-e_1, e_2 = symbols("e_1 e_2", real=True)  # half-period values
+d_1, d_2 = symbols("d_1 d_2", positive=True)  # e₁ − e₂ and e₂ − e₃
 x, y = Symbol("x", real=True), Symbol("y", positive=True)  # e₂, e₃ = x ± iy
 # e₁ + e₂ + e₃ = 0 (DLMF 23.3.5), for either sign of the discriminant.
-THREE, ORDERED = (e_1, e_2, -e_1 - e_2), Domain({e_1: (0, oo), e_2: (-e_1 / 2, e_1)})
-PAIR, CONJUGATE = (-2 * x, x + I * y, x - I * y), Domain({x: (-oo, oo), y: (0, oo)})
+THREE = ((2 * d_1 + d_2) / 3, (d_2 - d_1) / 3, -(d_1 + 2 * d_2) / 3)
+PAIR = (-2 * x, x + I * y, x - I * y)
+KINDS = (
+    ("three", THREE, Domain({d_1: (0, oo), d_2: (0, oo)}), 1),
+    ("pair", PAIR, Domain({x: (-oo, oo), y: (0, oo)}), -1),
+)
 above = Symbol("above", positive=True)  # ℘ less the largest real half-period value
 near = Symbol("near", positive=True)  # its inverse
 
@@ -108,22 +127,25 @@ def _claim_turns(lattice: HalfAngleLattice, book: Notebook) -> None:
 
 def _claim_signs(book: Notebook) -> None:
     """The sign of the discriminant, and that of ℘′² above the largest real half-period value."""
-    for name, roots, where, sign in (("three", THREE, ORDERED, 1), ("pair", PAIR, CONJUGATE, -1)):
+    for name, roots, where, sign in KINDS:
         equation = Poly(of_roots(roots), kappa)
         g2, g3 = -equation.coeff_monomial(kappa), -equation.coeff_monomial(1)
         what = "three real half-period values" if sign == 1 else "one real half-period value"
-        title, steps = f"{what}: the sign of the discriminant", ("oblique.discriminant_roots",)
-        signed = Positive(sign * (g2**3 - 27 * g3**2))
-        book.claim(f"oblique.{name}", title, signed, domain=where, steps=steps, source="DLMF 23.3.4")
+        same = Equal(equation.as_expr(), cubic(g2, g3))
+        title, along, source = f"{what}, with the sum 0", where.with_range(kappa, 0, 1), "DLMF 23.3.11"
+        book.claim(f"oblique.{name}", title, same, domain=along, steps=("oblique.roots",), source=source)
+        signed, steps = Positive(sign * (g2**3 - 27 * g3**2)), (f"oblique.{name}", "oblique.discriminant_roots")
+        title = f"{what}: the sign of the discriminant"
+        book.claim(f"oblique.{name}_sign", title, signed, domain=where, steps=steps, source="DLMF 23.3.4")
         falling = Positive(equation.as_expr().subs(kappa, roots[0] + above))
-        title, steps = f"{what}: ℘ is real down to the largest", ("oblique.roots",)
-        where = where.with_range(above, 0, oo)
-        book.claim(f"oblique.{name}_real", title, falling, domain=where, steps=steps, source="DLMF 23.3.10")
+        title, along = f"{what}: ℘ is real down to the largest", where.with_range(above, 0, oo)
+        steps, source = (f"oblique.{name}", "oblique.solution"), "DLMF 23.3.10"
+        book.claim(f"oblique.{name}_real", title, falling, domain=along, steps=steps, source=source)
 
 
 def _claim_length(book: Notebook) -> None:
     """σ = R_F(℘ − e₁, ℘ − e₂, ℘ − e₃) up to the first turning back: dσ/d℘ = −1/√(4(℘ − e₁)(℘ − e₂)(℘ − e₃))."""
-    for name, roots, where in (("three", THREE, ORDERED), ("pair", PAIR, CONJUGATE)):
+    for name, roots, where, _ in KINDS:
         gaps = [above + roots[0] - root for root in roots]
         length = RF(*gaps)
         speed = Equal(Derivative(length, above) ** 2 * of_roots(roots).subs(kappa, roots[0] + above), 1)
@@ -131,7 +153,8 @@ def _claim_length(book: Notebook) -> None:
         title, steps = "the length from the tip by ℘", (f"oblique.{name}_real", "oblique.solution")
         book.claim(f"oblique.{name}_length", title, speed, domain=where, steps=steps, source="DLMF 19.25.35")
         # ℘ = ∞ at the tip; R_F is homogeneous of degree −½.
-        start = Limit(sqrt(near) * RF(*(1 + near * (gap - above) for gap in gaps)), near, Integer(0), Integer(0), "+")
+        scaled = (expand(near * gap.subs(above, 1 / near)) for gap in gaps)
+        start = Limit(sqrt(near) * RF(*scaled), near, Integer(0), Integer(0), "+")
         title, where, source = "the length is 0 at the tip", where.with_range(near, 0, 1), "DLMF 19.16(ii)"
         steps = (f"oblique.{name}_length", "oblique.tip")
         book.claim(f"oblique.{name}_length_tip", title, start, domain=where, steps=steps, source=source)

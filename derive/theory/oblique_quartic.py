@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from sympy import Expr, Integer, Matrix, Poly, Symbol, atan, cancel, cos, diff, oo, pi, sin, symbols
+from sympy import Add, Expr, Integer, Matrix, Poly, Symbol, atan, cancel, cos, diff, oo, pi, sin, symbols
 
 from .claims import Domain, Equal, Notebook
 from .load_case import linear_root
@@ -49,7 +49,7 @@ def derive(plane: Plane, book: Notebook) -> HalfAngle:
     half = HalfAngle(coefficients, tip_gamma, along.subs(gamma, tip_gamma), domain)
     _claim_quartic(half, book)
     _claim_coefficients(half, plane.angular_acceleration, book)
-    _claim_motion(half, plane.angular_acceleration, book)
+    _claim_balance(half, plane.angular_acceleration, book)
     return half
 
 
@@ -71,7 +71,7 @@ def _claim_quartic(half: HalfAngle, book: Notebook) -> None:
 
 def _claim_coefficients(half: HalfAngle, acceleration: Expr, book: Notebook) -> None:
     """The coefficients by θ″ and dθ″/dθ at the tip, and by the same at the opposite direction, where t is infinite."""
-    opposite = theta_tip + pi
+    opposite = Add(theta_tip, pi)  # θ(ℓ) − π is the same direction
     expected = (
         acceleration.subs(theta, theta_tip),
         diff(acceleration, theta).subs(theta, theta_tip),
@@ -83,11 +83,11 @@ def _claim_coefficients(half: HalfAngle, acceleration: Expr, book: Notebook) -> 
     book.claim("oblique.coefficients", title, same, domain=half.domain, steps=steps)
 
 
-def _claim_motion(half: HalfAngle, acceleration: Expr, book: Notebook) -> None:
+def _claim_balance(half: HalfAngle, acceleration: Expr, book: Notebook) -> None:
     """θ = θ(ℓ) + 2 arctan t is in equilibrium: θ″ from t″ = ½ d(quartic)/dt (the sign of dσ = −ds drops out)."""
     quartic = QUARTIC.subs(half.coefficients)
     angle = theta_tip + 2 * atan(t)
     second = diff(angle, t) * diff(quartic, t) / 2 + diff(angle, t, 2) * quartic
     balance, where = Equal(second, acceleration.subs(theta, angle)), half.domain.with_range(t)
     title, steps = "the moments balance along the rod", ("oblique.quartic", "plane.moment")
-    book.claim("oblique.motion", title, balance, domain=where, steps=steps, source="exsl6")
+    book.claim("oblique.balance", title, balance, domain=where, steps=steps, source="exsl6")

@@ -59,8 +59,7 @@ def derive(book: Notebook) -> HalfAngleShape:
     """The shape by ζ and σ_W."""
     book.say("Any angle of the field. The shape of the rod")
     theta, direction = theta_tip + 2 * atan(t), exp(I * theta_tip)
-    half = b / (wp(sigma, g2, g3) - c)
-    tangent = direction * _tangent(theta, direction, book).subs(kappa, wp(sigma, g2, g3))
+    half, tangent = (x.subs(kappa, wp(sigma, g2, g3)) for x in _tangent(theta, direction, book))
     logarithm, simple, double = _integrals()
     position = book.show("y + iz", direction * (sigma + 2 * I * b * simple))
     square = book.show("∫e^{2iθ}", direction**2 * (sigma + 4 * I * b * simple - 4 * b**2 * double))
@@ -73,17 +72,17 @@ def derive(book: Notebook) -> HalfAngleShape:
     return HalfAngleShape(half, theta.subs(t, half), logarithm, position, square, without_field)
 
 
-def _tangent(theta: Expr, direction: Expr, book: Notebook) -> Expr:
-    """e^{i(θ − θ(ℓ))} by t, and by ℘ = ϰ with its pole at ℘(v)."""
+def _tangent(theta: Expr, direction: Expr, book: Notebook) -> tuple[Expr, Expr]:
+    """t by ℘ = ϰ; and e^{iθ} by t, and by ϰ with its pole at ℘(v)."""
     by_t = (1 + I * t) / (1 - I * t)
     same, where = Equal(exp(I * theta), direction * by_t), Domain({theta_tip: (-pi, pi), t: (-oo, oo)})
     title, source = "e^{iθ} by the half-angle tangent", "DLMF 4.23(iv)"
     book.claim("oblique.tangent", title, same, domain=where, steps=("oblique.quartic",), source=source)
-    by_value = 1 + 2 * I * b / (kappa - POLE)
-    same, where = Equal(by_t.subs(t, b / (kappa - c)), by_value), WHERE.with_range(kappa, 2, 3)
+    half, by_value = b / (kappa - c), 1 + 2 * I * b / (kappa - POLE)
+    same, where = Equal(by_t.subs(t, half), by_value), WHERE.with_range(kappa, 2, 3)
     title, steps = "e^{iθ} by ℘", ("oblique.tangent", "oblique.solution")
     book.claim("oblique.tangent_pole", title, same, domain=where, steps=steps)
-    return book.show("e^{i(θ − θ(ℓ))}", by_value)
+    return half, direction * book.show("e^{i(θ − θ(ℓ))}", by_value)
 
 
 def _integrals() -> tuple[Expr, Expr, Expr]:

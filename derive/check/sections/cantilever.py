@@ -15,7 +15,8 @@ from sympy import Expr, Function, ImmutableMatrix, Integer, Matrix, MatrixBase, 
 
 from derive.check.meaning import Components, MeaningError, ell
 from derive.check.sections.framed import HIGHEST, Framed, State
-from derive.check.sections.moving import kept, rates_of, rotation_by
+from derive.check.sections.remembered import remembered
+from derive.check.sections.turning import rotation
 from derive.check.sections.variation import MODULI, SIZES, balanced
 from derive.paper import tree as t
 from derive.theory import plane
@@ -23,12 +24,12 @@ from derive.theory.claims import Domain
 from derive.theory.constraint import FORCE
 from derive.theory.elastic import STIFFNESS
 from derive.theory.equilibrium import Equilibrium
-from derive.theory.letters import EI, chi, e1, e2, e3, eta_tilde, field, vector_of
+from derive.theory.letters import EI, chi, e1, e2, e3, eta_tilde, field
 from derive.theory.symbols import beta, eta, s
 from derive.theory.variation import DIRECTION
 
-TURN = vector_of("g")
-AXES = rotation_by(TURN)  # the fixed axes x, y, z, in the frame d
+TURN = rotation("g")
+AXES = TURN.matrix  # the fixed axes x, y, z, in the frame d
 PLACE = ImmutableMatrix([Function(name, real=True)(s) for name in ("x", "y", "z")])  # a point of the axis, by them
 P, Q = (Symbol(f"e_{name}", real=True) for name in "xz")  # of the direction of the field: two ratios
 FIELD = ImmutableMatrix([2 * P, 1 - P**2 - Q**2, 2 * Q]) / (1 + P**2 + Q**2)  # a unit vector, by the fixed axes
@@ -60,14 +61,14 @@ def _parts(value: Any) -> list[Expr]:
     return list(value) if isinstance(value, MatrixBase) else [value]
 
 
-@kept
+@remembered
 def _all(theory: Any) -> list[list[Framed]]:
     state: Equilibrium = theory.section2
     kappa = state.balance.couple.line.rod.frame.kappa
     law = in_equilibrium(state, EI * beta * (AXES * e2), AXES * FIELD)
     untwisted = {kappa[2]: Integer(0)}
     # The rod bends about x, which is d₁; its frame is turned about x alone.
-    flat = untwisted | {kappa[1]: Integer(0), P: Integer(0), **dict.fromkeys(TURN[1:], Integer(0))}
+    flat = untwisted | {kappa[1]: Integer(0), P: Integer(0), **dict.fromkeys(TURN.parameters[1:], Integer(0))}
     kinds: dict[str, State] = {"": [law], ", no twist": [law, untwisted], ", in the plane": [law, flat]}
     return [
         [_reading(theory, f"cantilever{title}, field {said} e", sense, kind) for title, kind in kinds.items()]
@@ -87,7 +88,7 @@ def in_equilibrium(state: Equilibrium, force: Matrix, e: Matrix) -> dict[Expr, E
 
 def _reading(theory: Any, title: str, sense: int, state: State) -> Framed:
     kappa = ImmutableMatrix(theory.section2.balance.couple.line.rod.frame.kappa)
-    rates = {**rates_of(TURN, -kappa), **dict(zip(PLACE.diff(s), AXES.T * e3, strict=True))}
+    rates = {**TURN.rates(-kappa), **dict(zip(PLACE.diff(s), AXES.T * e3, strict=True))}
     domain = Domain(dict.fromkeys((beta, chi, field, *SIZES.values()), (0, oo)))
     values = _values(theory, sense)
     free = solve(values["M"], list(kappa), dict=True)[0]  # no moment

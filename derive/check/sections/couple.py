@@ -20,7 +20,7 @@ from sympy import ImmutableMatrix, Matrix, Symbol, zeros
 
 from derive.check.meaning import Components, MeaningError, ell
 from derive.check.sections.functionals import ARCS, PART, OnRod
-from derive.check.sections.moving import kept, rates_of, rotation_by
+from derive.check.sections.remembered import remembered
 from derive.check.sections.variation import OTHER
 from derive.paper import tree as t
 from derive.paper.symbolic import NONE, Indices, to_sympy
@@ -107,7 +107,7 @@ def readings(theory: Any, sides: tuple[t.Node, ...], given: tuple[t.Statement, .
         yield particle
 
 
-@kept
+@remembered
 def _all(theory: Any) -> tuple[InRod, InRod, InRod]:
     couple: Couple = theory.section2.balance.couple
     rod = couple.line.rod
@@ -124,7 +124,7 @@ def _all(theory: Any) -> tuple[InRod, InRod, InRod]:
 def _reading(couple: Couple, title: str, values: Mapping[str, Any]) -> InRod:
     rod = couple.line.rod
     kappa = ImmutableMatrix(rod.frame.kappa)
-    rates = dict(rates_of(OTHER, rotation_by(OTHER) * rod.kappa_u - kappa))
+    rates = dict(OTHER.rates(OTHER.matrix * rod.kappa_u - kappa))
     rates |= dict(zip(DIRECTION.diff(s), -kappa.cross(DIRECTION), strict=True))
     return InRod(title, Domain(), values, kappa, rates, units=[DIRECTION], volume=rod.jacobian)
 
@@ -132,7 +132,7 @@ def _reading(couple: Couple, title: str, values: Mapping[str, Any]) -> InRod:
 def _values(couple: Couple, a: Matrix) -> dict[str, Any]:
     """The values of the printed names, in the frame d, for particles of orientation a."""
     line, rod = couple.line, couple.line.rod
-    h, before = field * DIRECTION, rotation_by(OTHER)
+    h, before = field * DIRECTION, OTHER.matrix
     known = dict(zip(FIELD, h, strict=True))
     energy, moment = line.energy, line.energy.moment(h, a)
     g = before * rod.tangents_u

@@ -63,19 +63,21 @@ def on_line(case: LoadCase, functions: Weierstrass, at: Expansion, title: str) -
     reading = OnRod(
         title=f"{case.name}, on a line{title}",
         values=values,
-        domain=domain.with_range(m.s, 0, m.ell),
+        domain=domain.with_range(m.s, 0, m.ell).with_range(m.varsigma, 0, m.ell),
         polynomials={"f": case.f, "f_hat": case.f_hat},
         invariants=(functions.g2, functions.g3),
         solution=solution(functions, at),
         hypotheses=_at_pole(case, functions, at),
         start={Y: Integer(0), Z: Integer(0), m.s: Integer(0)},
+        rods=lambda: on_rods(case, functions),
     )
     return _moving(reading, here)
 
 
 def _moving(reading: OnRod, here: Expr) -> OnRod:
     """The names that move along the rod, with u = here, and their rates."""
-    assert reading.solution is not None and reading.invariants is not None
+    assert reading.solution is not None
+    assert reading.invariants is not None
     value = fn.wp(here, *reading.invariants)
     cosine = reading.solution(value)
     curvature = sqrt(reading.polynomials["f_hat"].subs(xi, cosine))
@@ -121,7 +123,7 @@ def on_rod(case: LoadCase, functions: Weierstrass, line: OnRod, one: UoCase) -> 
         line,
         title=f"{case.name}, {one.condition}",
         values=values,
-        domain=one.domain.with_range(m.ell, *NEAR).with_range(m.s, 0, m.ell),
+        domain=one.domain.with_range(m.ell, *NEAR).with_range(m.s, 0, m.ell).with_range(m.varsigma, 0, m.ell),
         polynomials={name: put(value) for name, value in line.polynomials.items()},
         invariants=(g2, g3),
         solution=lambda value: put(start(value)),

@@ -16,7 +16,7 @@ from sympy import Abs, Derivative, Dummy, Expr, ImmutableMatrix, MatrixBase, can
 from sympy.core.function import AppliedUndef
 
 from derive.check.meaning import Components
-from derive.check.sections.moving import Rates, along, elsewhere, skew
+from derive.check.sections.turning import Rates, along, elsewhere, turned
 from derive.paper import tree as t
 from derive.paper.symbolic import NONE, Indices, to_sympy
 from derive.theory.claims import Domain
@@ -70,9 +70,7 @@ class Framed(Components):
         """A symbol at a place on the rod, in the frame at s."""
         (place,) = args
         value = self.rate(self.name(name), primes)
-        if place == s:
-            return value
-        return elsewhere(self.here(value).xreplace(dict(self.at_ends.get(place, {}))), place)
+        return value if place == s else elsewhere(self.here(value).xreplace(dict(self.at_ends.get(place, {}))), place)
 
     def here(self, value: Any) -> Any:
         """The value where the state holds."""
@@ -125,10 +123,7 @@ class Framed(Components):
             if function in self.variations:
                 moved[atom] = atom + small * self.rate(self.variations[function], order)
         change = of.xreplace(moved).diff(small).subs(small, 0)
-        if not isinstance(of, MatrixBase):
-            return change
-        turned = skew(self.turn) * of
-        return change + turned if of.shape == (3, 1) else change + turned - of * skew(self.turn)
+        return change + turned(self.turn, of) if isinstance(of, MatrixBase) else change
 
 
 def derivatives(law: Mapping[Expr, Expr], known: Rates) -> dict[Expr, Expr]:

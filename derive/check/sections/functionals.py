@@ -34,16 +34,25 @@ class OnRod(Framed):
 
     def integral(self, node: t.Integral, indices: Indices) -> Any:
         """∫ f ds between places on the rod, as a density."""
-        if len(node.by) != 1 or node.lower is None or node.upper is None or node.region is not None:
+        if len(node.by) != 1 or node.by[0] not in ARCS or node.lower is None or node.upper is None:
             raise self.absent("an integral that is not along the rod")
-        if node.by[0] not in ARCS:
-            raise self.absent("an integral that is not by the arc length")
         return self.part(node.lower, node.upper) * to_sympy(node.of, self, indices)
 
     def between(self, node: t.Between, indices: Indices) -> Any:
         """[g] between places on the rod, as a density."""
         part = 0 if self.held else self.part(node.lower, node.upper)
         return part * self.rate(to_sympy(node.of, self, indices), 1)
+
+    def spread(self, node: t.Node) -> tuple[Any, t.Node] | None:
+        """Integrals along the rod and brackets by their densities, and so the variations of them."""
+        match node:
+            case t.Integral(region=None, lower=lower, upper=upper, by=(by,)) if lower and upper and by in ARCS:
+                return self.part(lower, upper), node.of
+            case t.Between(lower=lower, upper=upper):
+                return 0 * s if self.held else self.part(lower, upper), t.Primed(node.of, 1)
+            case t.Varied(of=of) if (found := self.spread(of)) is not None:
+                return found[0], t.Varied(found[1])
+        return None
 
     def part(self, lower: t.Node, upper: t.Node) -> Expr:
         """1 where a point of the rod lies between two places, −1 if they are in the wrong order, else 0."""

@@ -17,7 +17,7 @@ def constants(case: LoadCase, functions: Weierstrass, at: Expansion) -> dict[str
     """β, η (0 where the section has none), the constant and its range, the roots, and what belongs to the root a."""
     bar = "_bar" if case.constant == gamma_bar else ""
     values: dict[str, Any] = {"beta": 0 * beta, "eta": 0 * eta, **{p.name: p for p in case.parameters}}
-    values |= {"gamma": case.gamma, "s": m.s, "ell": m.ell, "i_unit": I}
+    values |= {"gamma": case.gamma, "s": m.s, "ell": m.ell, "varsigma": m.varsigma, "i_unit": I}
     values |= {f"gamma{bar}": case.constant, f"gamma{bar}_1": case.ends[0], f"gamma{bar}_2": case.ends[1]}
     discriminant = case.force**2 + case.stiffness * case.f_hat.subs(xi, 0)
     if len(case.roots) == 2:

@@ -16,8 +16,10 @@ from sympy import Expr, Integer, Matrix, MatrixBase, Symbol, sqrt, zeros
 from sympy.core.function import AppliedUndef, Derivative
 
 from derive.check.meaning import Components
-from derive.check.sections.moving import elsewhere, extent, kept
+from derive.check.sections.moving import extent
+from derive.check.sections.remembered import remembered
 from derive.check.sections.rod import Rod
+from derive.check.sections.turning import elsewhere
 from derive.paper import tree as t
 from derive.paper.symbolic import Indices, to_sympy
 from derive.theory import letters
@@ -113,9 +115,13 @@ MagneticRod.values = {
     "volume": lambda r: Symbol("V", positive=True),
 }
 
-rod_of = kept(MagneticRod)
+
+@remembered
+def rod_of(theory: Any) -> MagneticRod:
+    """The reading; its values are computed once."""
+    return MagneticRod(theory.section2.balance)
 
 
 def readings(theory: Any, sides: tuple[t.Node, ...], given: tuple[t.Statement, ...]) -> Iterator[Components]:
     """One: any rod with particles along its fibres."""
-    yield rod_of(theory.section2.balance).to_order(given)
+    yield rod_of(theory).to_order(given)

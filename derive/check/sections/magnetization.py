@@ -12,7 +12,9 @@ from typing import Any
 from sympy import Matrix, MatrixBase, Symbol, eye, zeros
 
 from derive.check.meaning import Components
-from derive.check.sections.moving import inverse, kept, rotation_by, unknown
+from derive.check.sections.moving import inverse, unknown
+from derive.check.sections.remembered import remembered
+from derive.check.sections.turning import Rotation
 from derive.paper import tree as t
 from derive.theory import letters, particle, symbols
 from derive.theory.claims import Domain, Notebook
@@ -32,7 +34,7 @@ class Particle(Components):
     def __init__(self, energy: Energy) -> None:
         self.energy = energy
         self.particle = particle.derive(Notebook())
-        self.axes = rotation_by(vector("r"))
+        self.axes = Rotation(vector("r")).matrix
         self._known: dict[str, Any] = {}
 
     def name(self, name: str) -> Any:
@@ -99,9 +101,13 @@ Particle.values = {
     "ell": lambda r: symbols.ell,
 }
 
-particle_of = kept(Particle)
+
+@remembered
+def particle_of(theory: Any) -> Particle:
+    """The reading; its values are computed once."""
+    return Particle(theory.section2.balance.couple.line.energy)
 
 
 def readings(theory: Any, sides: tuple[t.Node, ...], given: tuple[t.Statement, ...]) -> Iterator[Components]:
     """One: any particle in any field."""
-    yield particle_of(theory.section2.balance.couple.line.energy)
+    yield particle_of(theory)

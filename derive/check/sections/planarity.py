@@ -15,7 +15,7 @@ from sympy import Expr, ImmutableMatrix, Integer, Symbol, solve, sqrt, zeros
 from derive.check.meaning import Components, ell
 from derive.check.sections.cantilever import first_with, holds, in_equilibrium
 from derive.check.sections.framed import HIGHEST, Framed, State
-from derive.check.sections.moving import kept
+from derive.check.sections.remembered import remembered
 from derive.check.sections.variation import MODULI, SIZES
 from derive.paper import tree as t
 from derive.theory.claims import Domain
@@ -35,7 +35,7 @@ def readings(theory: Any, sides: tuple[t.Node, ...], given: tuple[t.Statement, .
     yield first_with(given, laws)
 
 
-@kept
+@remembered
 def _all(theory: Any) -> tuple[list[Framed], list[Framed]]:
     state: Equilibrium = theory.section2
     kappa = state.balance.couple.line.rod.frame.kappa

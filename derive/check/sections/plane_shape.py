@@ -13,7 +13,9 @@ from derive.paper import tree as t
 from derive.theory.weierstrass import expansion
 
 OF_RODS = {"omega_1", "omega_2", "omega_3", "omega_bar", "u_bar"}
-OF_LINES = {"v", "wzeta", "wsigma", "ln", "y", *OF_RODS}
+LOGARITHMIC = {"wzeta", "wsigma"}
+OF_LINES = {"v", "ln", *LOGARITHMIC}
+OF_HEIGHTS = {"z", "asin", "acosh"}
 
 
 def readings(
@@ -21,18 +23,18 @@ def readings(
 ) -> Iterator[OnRod] | None:
     """The readings, or None if the sides are not about these things."""
     case, functions = theory.cases[scope], theory.weierstrass[scope]
-    kinds = {type(node) for side in sides for node in side.walk()}
-    if t.Interval in kinds and names <= {"xi", "xi_a", "xi_b", "ell", "s"} and "xi" in names:
+    nodes = [node for side in sides for node in side.walk()]
+    kinds, calls = {type(node) for node in nodes}, {node.name for node in nodes if isinstance(node, t.Call)}
+    if t.Interval in kinds and names <= {"xi", "xi_a", "xi_b"}:
         return admissible.readings(case, functions)
     if names <= elliptic.ANY_LATTICE and "v" in names:
         return iter([elliptic.any_lattice()])
-    accumulates = t.Integral in kinds or t.Between in kinds
-    turns = case.bends == -1 and "v" in names and not names & {"wzeta", "wsigma"}  # the side of v depends on the rod
+    turns = case.bends == -1 and "v" in names and not names & LOGARITHMIC  # the side of v depends on the rod
     if names & OF_RODS or t.At in kinds or turns:
         return elliptic.on_rods(case, functions)
-    if names & (OF_LINES - {"y"}) or (accumulates and "y" in names and "z" not in names):
+    if names & OF_LINES or "y" in calls:
         return _lines(case, functions, at_one or not names & {"a", "b", "c"})
-    if accumulates or names & {"asin", "acosh"}:
+    if calls & OF_HEIGHTS or t.Integral in kinds:
         return heights.readings(case, functions)
     return None
 

@@ -12,10 +12,12 @@ from copy import copy
 from functools import cached_property
 from typing import Any
 
-from sympy import Expr, Function, ImmutableMatrix, Matrix, MatrixBase, Max, Symbol, eye, sqrt, zeros
+from sympy import Expr, Function, Matrix, MatrixBase, Max, Symbol, eye, zeros
 
 from derive.check.meaning import Components
-from derive.check.sections.moving import along, elsewhere, extent, inverse, kept, rates_of, rotation_by, unknown
+from derive.check.sections.moving import Turned, extent, inverse, unknown
+from derive.check.sections.remembered import remembered
+from derive.check.sections.turning import along, elsewhere, rotation
 from derive.paper import tree as t
 from derive.paper.symbolic import Indices, member, to_sympy
 from derive.theory import frame, loads, placement
@@ -27,7 +29,7 @@ from derive.theory.symbols import s
 from derive.theory.variation import Balance
 
 BASIS = (e1, e2, e3)
-TURN = vector_of("r")  # of the undistorted frame from the other
+TURN = rotation("r")  # of the undistorted frame from the other
 E, G, I_AREA, J_TORSION = (Symbol(name, positive=True) for name in ("E", "G", "I", "J"))
 MADE_OF = {EI: E * I_AREA, GJ: G * J_TORSION}
 PHI = Function("phi", real=True)(s)
@@ -48,13 +50,11 @@ class Rod(Components):
         self.rod = balance.couple.line.rod
         self.kappa = self.rod.frame.kappa
         self._known: dict[str, Any] = {}
-        self._on_u: dict[ImmutableMatrix, Matrix] = {}  # vectors whose components on d^u are known
-        self._right: dict[ImmutableMatrix, Matrix] = {}  # tensors on d ⊗ d^u
 
     @cached_property
     def turned(self) -> Matrix:
         """The vectors d_i^u as columns: what takes components on d^u to those on d."""
-        return rotation_by(TURN)
+        return TURN.matrix
 
     @cached_property
     def loaded(self) -> loads.Loaded:
@@ -66,44 +66,15 @@ class Rod(Components):
         """Derivatives along the rod of what obeys a law."""
         x, x_u = vector_of("x"), vector_of("x_u")
         fixed = {x: e3, x_u: self.turned[:, 2], **self.uniform}
-        found = dict(rates_of(TURN, self.turned * self.rod.kappa_u - self.kappa))
+        found = dict(TURN.rates(self.turned * self.rod.kappa_u - self.kappa))
         for vector, slope in fixed.items():
             found |= dict(zip(vector.diff(s), slope - self.kappa.cross(vector), strict=True))
         found |= dict(zip(FORCE.diff(s), solved(self.loaded.force, FORCE.diff(s)), strict=True))
         return found | {PHI.diff(s): frame.axis(self.kappa).turn}
 
-    def from_u(self, components: Matrix) -> ImmutableMatrix:
-        """A vector of given components on d^u."""
-        value = ImmutableMatrix(self.turned * components)
-        self._on_u[value] = components
-        return value
-
-    def from_both(self, components: Matrix) -> ImmutableMatrix:
-        """A tensor of given components on d ⊗ d^u."""
-        value = ImmutableMatrix(components * self.turned.T)
-        self._right[value] = components
-        return value
-
-    # The turn leaves products of vectors as they are: where both are given on d^u, it need not be multiplied out.
-
-    def dot(self, left: Any, right: Any) -> Any:
-        """In components, on d^u where both are given there."""
-        pair = [self._on_u.get(_frozen(vector)) for vector in (left, right)]
-        return left.dot(right) if None in pair else pair[0].dot(pair[1])
-
-    def cross(self, left: Any, right: Any) -> Any:
-        """In components, on d^u where both are given there."""
-        pair = [self._on_u.get(_frozen(vector)) for vector in (left, right)]
-        return left.cross(right) if None in pair else self.from_u(pair[0].cross(pair[1]))
-
-    def apply(self, tensor: Any, other: Any) -> Any:
-        """In components, on d^u where both are given there."""
-        pair = self._right.get(_frozen(tensor)), self._on_u.get(_frozen(other))
-        return tensor * other if None in pair else pair[0] * pair[1]
-
-    def norm(self, of: Any) -> Any:
-        """The root of the square."""
-        return sqrt(self.dot(of, of)) if isinstance(of, MatrixBase) else super().norm(of)
+    def from_u(self, components: Matrix) -> Turned:
+        """A vector of given components on d^u, or a tensor of given components on d ⊗ d^u."""
+        return Turned.of(self.turned, components)
 
     @property
     def uniform(self) -> dict[Matrix, Matrix]:
@@ -191,10 +162,6 @@ class Rod(Components):
         return self
 
 
-def _frozen(value: Any) -> Any:
-    return ImmutableMatrix(value)
-
-
 def solved(equations: Matrix, unknowns: Matrix) -> Matrix:
     """The unknowns of equations that are zero and linear in them."""
     coefficients = equations.jacobian(unknowns)
@@ -228,8 +195,8 @@ Rod.values = {
     "h": lambda r: placement.thickness(r.rod.kappa_u, r.kappa, placement.LENGTH),
     "ell": lambda r: placement.LENGTH,
     "s": lambda r: s,
-    "F_tensor": lambda r: r.from_both(r.rod.gradient),
-    "Q": lambda r: r.from_both(eye(3)),
+    "F_tensor": lambda r: r.from_u(r.rod.gradient),
+    "Q": lambda r: r.from_u(eye(3)),
     "mu": lambda r: r.rod.mu,
     "force": lambda r: FORCE,
     "f_line": lambda r: loads.FORCES,
@@ -254,9 +221,13 @@ Rod.families = {
     "X": lambda r, i: eps * (X1, X2)[i - 1],
 }
 
-rod_of = kept(Rod)
+
+@remembered
+def rod_of(theory: Any) -> Rod:
+    """The reading; its values are computed once."""
+    return Rod(theory.section2.balance)
 
 
 def readings(theory: Any, sides: tuple[t.Node, ...], given: tuple[t.Statement, ...]) -> Iterator[Components]:
     """One: any rod."""
-    yield rod_of(theory.section2.balance).to_order(given)
+    yield rod_of(theory).to_order(given)

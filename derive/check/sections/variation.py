@@ -16,7 +16,8 @@ from sympy import Expr, ImmutableMatrix, Matrix, Symbol, eye, solve, zeros
 from derive.check.meaning import Components, ell
 from derive.check.sections.framed import State, derivatives
 from derive.check.sections.functionals import OnRod
-from derive.check.sections.moving import Rates, kept, rates_of, rotation_by
+from derive.check.sections.remembered import remembered
+from derive.check.sections.turning import Rates, Rotation, rotation
 from derive.paper import tree as t
 from derive.theory import constraint
 from derive.theory.claims import Domain
@@ -30,7 +31,7 @@ from derive.theory.variation import DIRECTION, SHIFT, Balance
 E, G, inertia, torsion = (Symbol(name, positive=True) for name in ("E", "G", "I", "J"))
 MODULI = {EI: E * inertia, GJ: G * torsion}  # the theory's stiffnesses by the printed letters
 SIZES = {"E": E, "G": G, "I_area": inertia, "J_torsion": torsion, "A": A, "mu_0": mu0, "nu": nu, "V_Pi": V}
-OTHER = vector_of("g")  # of the rotation from d to the undistorted frame
+OTHER = rotation("g")  # from d to the frame of the undistorted rod
 BEFORE = vector_of("x_u")  # a point of the undistorted axis
 TURNED = vector_of("q")  # q, whose variation is δq
 FUNCTIONALS = {"L_constraint", "E_energy"}
@@ -50,7 +51,7 @@ def _of_functionals(sides: tuple[t.Node, ...]) -> bool:
     )
 
 
-@kept
+@remembered
 def _all(theory: Any) -> tuple[OnRod, OnRod, OnRod, OnRod]:
     balance: Balance = theory.section2.balance
     kappa = balance.couple.line.rod.frame.kappa
@@ -66,11 +67,11 @@ def _all(theory: Any) -> tuple[OnRod, OnRod, OnRod, OnRod]:
 
 def _reading(balance: Balance, title: str, state: State, *, laws: bool, held: bool = False) -> OnRod:
     rod = balance.couple.line.rod
-    rates, variations = _changes(rod.frame.kappa, rod.kappa_u, rotation_by(OTHER))
+    rates, variations = _changes(rod.frame.kappa, rod.kappa_u, OTHER)
     return OnRod(
         title,
         Domain(),
-        values(balance, rotation_by(OTHER)),
+        values(balance, OTHER),
         ImmutableMatrix(rod.frame.kappa),
         rates,
         variations,
@@ -82,21 +83,20 @@ def _reading(balance: Balance, title: str, state: State, *, laws: bool, held: bo
     )
 
 
-def _changes(kappa: Matrix, kappa_u: Matrix, other: Matrix) -> tuple[Rates, dict[Expr, Expr]]:
+def _changes(kappa: Matrix, kappa_u: Matrix, other: Rotation) -> tuple[Rates, dict[Expr, Expr]]:
     """The rates and the variations of components: what is fixed turns back where the frame turns."""
-    slope = other * e3 - kappa.cross(BEFORE)
+    slope = other.matrix * e3 - kappa.cross(BEFORE)
     fixed = dict(zip([*BEFORE.diff(s), *DIRECTION.diff(s)], [*slope, *-kappa.cross(DIRECTION)], strict=True))
     # δκ = δq′ + δq × κ, so that its components change by those of δq′.
     changes = {
         kappa: along(TURN, kappa), POSITION: SHIFT - TURN.cross(POSITION), TURNED: TURN - TURN.cross(TURNED),
-        OTHER: Matrix(list(rates_of(OTHER, -TURN).values())),
-        **{vector: -TURN.cross(vector) for vector in (DIRECTION, FORCE, BEFORE)},
+                **{vector: -TURN.cross(vector) for vector in (DIRECTION, FORCE, BEFORE)},
     }  # fmt: skip
     varied = {x: change for vector, by in changes.items() for x, change in zip(vector, by, strict=True)}
-    return {**rates_of(OTHER, other * kappa_u - kappa), **fixed}, varied
+    return {**other.rates(other.matrix * kappa_u - kappa), **fixed}, {**varied, **other.turned(-TURN)}
 
 
-def values(balance: Balance, other: Matrix) -> Mapping[str, Any]:
+def values(balance: Balance, other: Rotation) -> Mapping[str, Any]:
     """The values of the printed names, in the frame d."""
     line = balance.couple.line
     frame, mu = line.rod.frame, line.rod.mu
@@ -104,10 +104,10 @@ def values(balance: Balance, other: Matrix) -> Mapping[str, Any]:
     couple = balance.couple.modulus.subs(w, DIRECTION.dot(e3)) * e3.cross(DIRECTION)
     found = {
         **{f"d_{i + 1}": e for i, e in enumerate((e1, e2, e3))},
-        **{f"d_u_{i + 1}": other * e for i, e in enumerate((e1, e2, e3))},
+        **{f"d_u_{i + 1}": other.matrix * e for i, e in enumerate((e1, e2, e3))},
         **{f"kappa_{i + 1}": frame.kappa[i] for i in range(3)},
-        "Q": other.T, "identity": ImmutableMatrix(eye(3)), "kappa": frame.kappa,
-        "kappa_u": other * line.rod.kappa_u, "mu": mu, "C": STIFFNESS, "M": balance.resultant,
+        "Q": other.matrix.T, "identity": ImmutableMatrix(eye(3)), "kappa": frame.kappa,
+        "kappa_u": other.matrix * line.rod.kappa_u, "mu": mu, "C": STIFFNESS, "M": balance.resultant,
         "x": POSITION, "x_u": BEFORE, "u_axis": POSITION - BEFORE, "q": TURNED, "Phi": FORCE, "force": FORCE,
         "psi_e": balance.strain_energy, "psi_m": psi_m, "E_energy": balance.strain_energy + psi_m,
         "L_constraint": constraint.density(frame.kappa), "eta_tilde": line.moduli[eta_tilde],
