@@ -33,6 +33,7 @@ from derive.check.report import RelationVerdict, StatementVerdict, statement_ver
 from derive.check.verdicts import DEFINITION, PROVED, REFUTED, UNKNOWN, Verdict
 from derive.paper import tree as t
 from derive.paper.conventions import scope as conventions_of
+from derive.paper.indices import overfull
 from derive.paper.ledger import Record
 from derive.paper.symbolic import NONE, Indices
 from derive.theory.claims import Claim, Domain, Limit
@@ -53,10 +54,19 @@ def judge_statement(
         found += [RelationVerdict(f"no case ({title})", verdict) for title, verdict in cases.open()]
     except ValueError as reason:  # MeaningError, or an expression that SymPy cannot form
         found.append(RelationVerdict("meaning", Verdict(record.id, UNKNOWN, "none", None, str(reason))))
+    if not found:
+        found.append(RelationVerdict("meaning", Verdict(record.id, UNKNOWN, "none", None, "no reading reads it")))
+    found[-1] = replace(found[-1], note="; ".join(filter(None, (found[-1].note, *_flaws(statement)))))
     defines = not given and _introduces(statement, record)
     passed = bool(found) and all(relation.verdict.verdict == PROVED for relation in found)
     latex = record.latex[statement.span[0] : statement.span[1]] if statement.span[1] else ""
     return statement_verdict(latex, found, time.perf_counter() - start, DEFINITION if defines and passed else None)
+
+
+def _flaws(statement: t.Statement) -> Iterator[str]:
+    """What is amiss with the way in which a statement is written, whatever it says."""
+    for letter in dict.fromkeys(letter for letter, _ in overfull(statement.sides)):
+        yield f"the index {letter} is written more than twice in one product, which is summed over it all the same"
 
 
 @dataclass(frozen=True)
