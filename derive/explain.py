@@ -11,6 +11,7 @@ from typing import Any
 
 from derive import stages
 from derive.grounds import GROUNDS
+from derive.paper.text_claims import load_claims
 
 ENERGY = ("particle", "energy")  # the scripts whose claims are about the energy itself
 LISTED = 5  # near matches in an error
@@ -31,12 +32,13 @@ def explain(what: str, folder: Path) -> dict[str, Any]:
         starts = [f.claim for f in formulas]
     else:
         starts = [f.claim for f in theory.formulas if what == f.name]
-        starts = starts or [c.id for c in claims.values() if what in (c.id, c.source)] or list(GROUNDS.get(what, ()))
+        starts = starts or beginnings(what, claims)
         formulas = [f for f in theory.formulas if f.claim in starts]
     if not starts:
         known = {
             *claims,
             *GROUNDS,
+            *load_claims(),
             *(f.name for f in theory.formulas),
             *(c.source for c in claims.values() if c.source),
         }
@@ -51,6 +53,13 @@ def explain(what: str, folder: Path) -> dict[str, Any]:
             for c in (claims[one] for one in ordered(starts, claims))
         ],
     }
+
+
+def beginnings(what: str, claims: Mapping[str, Any]) -> list[str]:
+    """The claims of an id or of a printed label; of a claim of the running text, those of the display before it."""
+    if what in load_claims():
+        what = load_claims()[what].after
+    return [c.id for c in claims.values() if what in (c.id, c.source)] or list(GROUNDS.get(what, ()))
 
 
 def near(name: str, known: Collection[str]) -> str:

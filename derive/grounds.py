@@ -26,4 +26,7 @@ GROUNDS: dict[str, tuple[str, ...]] = {
     "exsl40": ("shape.parallel.z", "shape.parallel.square"),
     "slch13": ("shape.force_only.z", "shape.force_only.z_sign"),
     "exhpf16": ("shape.orthogonal.z_above", "shape.orthogonal.z_below"),
+    # The two examples, by the figures that show them: whole rods under given loads.
+    "Fi:F_H_ortogonali": ("plane.moment", "plane.first_integral", "quartic.orthogonal.free_end"),
+    "Fi:F_fisso_H_variabile": ("plane.moment", "plane.first_integral", "quartic.parallel.free_end"),
 }

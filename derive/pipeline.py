@@ -107,8 +107,7 @@ def report_text(job: Job, mutants: str = "") -> str:
     """The report on what a job found, as LaTeX. mutants: a line on how wrong variants fared."""
     from derive.report.document import document
 
-    judged = [formula for formula in job.printed if formula["id"] in job.records]
-    return document(judged, {name: one["statements"] for name, one in job.derived.items()}, job.records, mutants)
+    return document(job.printed, {name: one["statements"] for name, one in job.derived.items()}, job.records, mutants)
 
 
 def read_scenes(runner: Runner, scenes: Iterable[Path]) -> list[Task]:

@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 from scipy.integrate import solve_bvp
+from verdict_tables import errata_table, mutant_table, verdict_table
 
 from derive.measure.agreement import TWIN_DIGITS, arguments
 from derive.measure.reference import Reference, Rod
@@ -111,23 +112,6 @@ def error_table() -> list[str]:
     return lines
 
 
-def verdict_table(result: dict[str, Any], mutants: dict[str, int]) -> list[str]:
-    """Counts of claims and printed formulas by verdict, what is refuted with its mend, and how mutants fared."""
-    claims = [claim["verdict"] for claim in result["claims"]]
-    printed = [formula["verdict"] for formula in result["formulas"]]
-    kinds = sorted({*claims, *printed})
-    lines = ["| | " + " | ".join(kinds) + " |", "|---" * (len(kinds) + 1) + "|"]
-    for name, verdicts in (("claims of the derivation", claims), ("printed formulas", printed)):
-        lines.append(f"| {name} | " + " | ".join(str(verdicts.count(kind)) for kind in kinds) + " |")
-    for formula in result["formulas"]:
-        if formula["verdict"] == "REFUTED":
-            mend = f"; `{formula['repair']['latex']}` is proved" if formula.get("repair") else ""
-            printed = formula["printed"].rstrip("\\, ")
-            lines += ["", f"Refuted as printed: {formula['id']}, `{printed}`{mend}."]
-    fates = ", ".join(f"{number} {fate}" for fate, number in mutants.items())
-    return [*lines, "", f"Wrong variants of all of them: {fates}."]
-
-
 def replace(text: str, name: str, lines: list[str]) -> str:
     """The text with new lines between the markers of a table."""
     pattern = rf"(<!-- {name} -->\n).*?(<!-- end {name} -->)"
@@ -137,5 +121,10 @@ def replace(text: str, name: str, lines: list[str]) -> str:
 if __name__ == "__main__":
     text = README.read_text(encoding="utf-8")
     result, mutants = (json.loads(Path(name).read_text(encoding="utf-8")) for name in sys.argv[1:3])
-    text = replace(text, "verdicts", verdict_table(result, mutants["counts"]))
+    for name, lines in {
+        "verdicts": verdict_table(result),
+        "errata": errata_table(result),
+        "mutants": mutant_table(mutants),
+    }.items():
+        text = replace(text, name, lines)
     README.write_text(replace(text, "errors", error_table()), encoding="utf-8")

@@ -34,6 +34,7 @@ TITLES = {
     "force_only": "Force alone",
     "orthogonal": "Field across the force",
 }
+TEXT = "text."  # ids of claims of the running text begin so
 SIDES = {"lhs": "left side", "rhs": "right side"}
 
 
@@ -49,10 +50,12 @@ def document(
     """The whole report.
 
     formulas: verdicts, as of ``derive check --json``, in the article's order. derived: the derived forms of the
-    statements of each. records: of the ledger, or of the source that was judged. mutants: a line on wrong variants.
+    statements of each. records: of the ledger, or of the source that was judged; claims of the running text have none.
+    mutants: a line on wrong variants.
     """
     counted = [str(one["verdict"]) for one in formulas]
-    entries = [(title_of(records[one["id"]]), entry(one, derived, records[one["id"]])) for one in formulas]
+    known = {one["id"]: records.get(one["id"], one) for one in formulas}
+    entries = [(title_of(known[one["id"]]), entry(one, derived, known[one["id"]])) for one in formulas]
     titles = dict.fromkeys(title for title, _ in entries)
     context = {
         "counts": [
@@ -61,7 +64,7 @@ def document(
             if name in counted
         ],
         "mutants": tex.text(mutants),
-        "errata": [one for formula in formulas for one in errata(formula, derived, records[formula["id"]])],
+        "errata": [one for formula in formulas for one in errata(formula, derived, known[formula["id"]])],
         "sections": [
             {"title": title, "entries": [one for other, one in entries if other == title]} for title in titles
         ],
@@ -72,6 +75,8 @@ def document(
 
 def title_of(record: Record) -> str:
     """The part of the article in which a formula stands."""
+    if record["id"].startswith(TEXT):
+        return "Claims of the running text"
     scope = str(record["scope"] or "")
     return TITLES.get(scope, tex.text(scope.replace("_", " ").capitalize() or "Other formulas"))
 

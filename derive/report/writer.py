@@ -45,7 +45,7 @@ class Writer:
         return min(written, key=lambda node: (len(names(node) - self.own), sum(1 for _ in node.walk())))
 
     def _frozen(self, value: Any, letter: Symbol | None) -> tuple[Any, Speller]:
-        """The value with placeholders for functions that have a letter and for elliptic ones, and a speller for them."""
+        """The value with placeholders for functions that have letters and for elliptic ones; a speller for them."""
         known = dict(self.letters.known)
         functions = [name for name, one in self.scope.by_name.items() if one.kind == "function"]
         speller = Speller(known, functions, {pm: r"\pm"}, self._moving, letter)

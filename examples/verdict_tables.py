@@ -1,0 +1,60 @@
+"""The tables of verdicts, errata and wrong variants in README.md, from the results of a run."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+Found = Mapping[str, Any]
+ORDER = ("PROVED", "CERTIFIED", "AGREED", "DEFINITION", "REFUTED", "UNKNOWN", "UNREAD")  # in the order of trust
+FATES = ("killed", "equivalent", "surviving")
+TEXT = "text."  # ids of claims of the running text begin so
+
+
+def verdict_table(result: Found) -> list[str]:
+    """How many claims, displays, statements and claims of the text have each verdict."""
+    displays = [one for one in result["formulas"] if not one["id"].startswith(TEXT)]
+    text = [one for one in result["formulas"] if one["id"].startswith(TEXT)]
+    claims = result["claims"]
+    rows = {
+        "claims of the derivation": Counter(claims) if isinstance(claims, Mapping) else counted(claims),
+        "printed displays": counted(displays),
+        "their statements": counted(statement for display in displays for statement in display["statements"]),
+        "claims of the running text": counted(text),
+    }
+    rows = {name: counts for name, counts in rows.items() if counts}
+    kinds = [kind for kind in ORDER if any(kind in counts for counts in rows.values())]
+    lines = [f"| | all | {' | '.join(kinds)} |", "|---" * (len(kinds) + 2) + "|"]
+    for name, counts in rows.items():
+        lines.append(f"| {name} | {sum(counts.values())} | {' | '.join(str(counts[kind]) for kind in kinds)} |")
+    return lines
+
+
+def counted(records: Iterable[Found]) -> Counter[str]:
+    """How many records have each verdict."""
+    return Counter(str(one["verdict"]) for one in records)
+
+
+def errata_table(result: Found) -> list[str]:
+    """Every statement that is refuted as printed, and the smallest change that is proved."""
+    lines = ["| label | printed | holds | tried |", "|---|---|---|---|"]
+    for formula in result["formulas"]:
+        for statement in formula["statements"] or [formula]:
+            if statement["verdict"] == "REFUTED":
+                repair = statement.get("repair")
+                holds, tried = (cell(repair["latex"]), str(repair["tried"])) if repair else ("no small change", "")
+                lines.append(f"| {formula['id']} | {cell(statement['printed'])} | {holds} | {tried} |")
+    return lines
+
+
+def cell(latex: str) -> str:
+    """A formula in a table, in one line."""
+    return "`" + " ".join(latex.split()).rstrip("\\,. ").replace("|", r"\|") + "`"
+
+
+def mutant_table(mutants: Found) -> list[str]:
+    """What became of the wrong variants, by kind of change and in all."""
+    rows: Sequence[tuple[str, Found]] = [*mutants["kinds"].items(), ("**all**", mutants["counts"])]
+    lines = [f"| change | {' | '.join(FATES)} |", "|---" * (len(FATES) + 1) + "|"]
+    return lines + [f"| {kind} | {' | '.join(str(fates.get(fate, 0)) for fate in FATES)} |" for kind, fates in rows]
