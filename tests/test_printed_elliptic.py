@@ -21,10 +21,37 @@ from derive.theory.claims import Claim, Domain, Equal, NonNegative
 from derive.theory.symbols import beta, gamma, xi
 
 LEDGER = load_ledger()
-HOLD = (
-    "exsl15 exsl16 exsl19a exsl20 exsl23 exsl29 exsl30 exsl31 exsl33 exsl34 exsl36 exsl37 exsl38 exsl39 exsl40 exsl41 "
-    "slch13 slch14 exhpf1 exhpf3 exhpf4 exhpf11 exhpf12 exhpf13bis exhpf14 exhpf15 exhpf16 exhpf17 exhpf18"
-).split()
+HOLD = [
+    "exsl15",
+    "exsl16",
+    "exsl19a",
+    "exsl20",
+    "exsl23",
+    "exsl29",
+    "exsl30",
+    "exsl31",
+    "exsl33",
+    "exsl34",
+    "exsl36",
+    "exsl37",
+    "exsl38",
+    "exsl39",
+    "exsl40",
+    "exsl41",
+    "slch13",
+    "slch14",
+    "exhpf1",
+    "exhpf3",
+    "exhpf4",
+    "exhpf11",
+    "exhpf12",
+    "exhpf13bis",
+    "exhpf14",
+    "exhpf15",
+    "exhpf16",
+    "exhpf17",
+    "exhpf18",
+]
 MENDED = {  # a piece of what is printed wrong, and of what is right
     "exsl14": (r"\beta \mp \sqrt", r"\beta \pm \sqrt"),
     "exsl35": (r"a - \frac{1}{\sqrt{\eta}}", r"a + \frac{1}{\sqrt{\eta}}"),

@@ -12,11 +12,13 @@ from typing import Any
 from derive.check import mutate
 from derive.check.printed import judge_formula
 from derive.check.report import FormulaVerdict
+from derive.check.text import judge as text
 from derive.check.trial import EQUIVALENT, ILL_TYPED, KILLED, MEANINGLESS, SURVIVING, Fate, Trial
-from derive.check.verdicts import AGREED, CERTIFIED, DEFINITION, PROVED
+from derive.check.verdicts import AGREED, CERTIFIED, DEFINITION, PROVED, REFUTED
 from derive.paper.ledger import Record
 from derive.paper.printer import to_latex
 from derive.paper.reader import parse
+from derive.paper.text_claims import FORMULA, TextClaim
 from derive.theory.claims import Claim
 
 FATES = (KILLED, ILL_TYPED, EQUIVALENT, SURVIVING, MEANINGLESS)
@@ -51,6 +53,22 @@ def of_formula(theory: Any, record: Record) -> list[dict[str, Any]]:
         return found
     numbers = {n for n, one in enumerate(verdict.statements) if one.repair or one.verdict in HOLD}
     return found + [_of_mutant(record.id, fate) for fate in Trial(theory, sound, numbers).fates()]
+
+
+def of_text(theory: Any, claim: TextClaim) -> list[dict[str, Any]]:
+    """The fates of the mutants of a claim of the running text, as plain data."""
+    if claim.form == FORMULA:
+        return of_formula(theory, claim.record)
+    sound = text.mended(theory, claim)
+    if sound is None:
+        return [_fate(claim.id, "none", SURVIVING, claim.printed, "", "it is neither proved nor can it be mended")]
+    return [_of_variant(theory, claim.id, kind, variant) for kind, variant in text.variants(sound)]
+
+
+def _of_variant(theory: Any, name: str, kind: str, variant: TextClaim) -> dict[str, Any]:
+    verdict = text.judge_text(theory, variant, mend=False)
+    fate = KILLED if verdict.verdict == REFUTED else SURVIVING
+    return _fate(name, kind, fate, str(dict(variant.data)), verdict.verdict, verdict.reason)
 
 
 def mended(record: Record, verdict: FormulaVerdict) -> tuple[Record | None, list[str]]:
