@@ -111,7 +111,7 @@ def error_table() -> list[str]:
     return lines
 
 
-def verdict_table(result: dict[str, Any], mutants: dict[str, int]) -> list[str]:
+def verdict_table(result: dict[str, Any], mutants: dict[str, Any]) -> list[str]:
     """Counts of claims and printed formulas by verdict, what is refuted with its mend, and how mutants fared."""
     claims = [claim["verdict"] for claim in result["claims"]]
     printed = [formula["verdict"] for formula in result["formulas"]]
@@ -124,8 +124,15 @@ def verdict_table(result: dict[str, Any], mutants: dict[str, int]) -> list[str]:
             mend = f"; `{formula['repair']['latex']}` is proved" if formula.get("repair") else ""
             printed = formula["printed"].rstrip("\\, ")
             lines += ["", f"Refuted as printed: {formula['id']}, `{printed}`{mend}."]
-    fates = ", ".join(f"{number} {fate}" for fate, number in mutants.items())
-    return [*lines, "", f"Wrong variants of all of them: {fates}."]
+    return [*lines, "", "Wrong variants of all of them:", "", *mutant_table(mutants)]
+
+
+def mutant_table(mutants: dict[str, Any]) -> list[str]:
+    """How mutants fared, by kind."""
+    fates = list(mutants["counts"])
+    rows = {**mutants["kinds"], "**all**": mutants["counts"]}
+    lines = ["| kind | " + " | ".join(fates) + " |", "|---" + "|---:" * len(fates) + "|"]
+    return lines + [f"| {kind} | " + " | ".join(str(row[fate]) for fate in fates) + " |" for kind, row in rows.items()]
 
 
 def replace(text: str, name: str, lines: list[str]) -> str:
@@ -137,5 +144,5 @@ def replace(text: str, name: str, lines: list[str]) -> str:
 if __name__ == "__main__":
     text = README.read_text(encoding="utf-8")
     result, mutants = (json.loads(Path(name).read_text(encoding="utf-8")) for name in sys.argv[1:3])
-    text = replace(text, "verdicts", verdict_table(result, mutants["counts"]))
+    text = replace(text, "verdicts", verdict_table(result, mutants))
     README.write_text(replace(text, "errors", error_table()), encoding="utf-8")
