@@ -18,7 +18,7 @@ from derive.check.same import same_meaning
 from derive.check.trial import KILLED, Trial
 from derive.check.verdicts import DEFINITION, PROVED, REFUTED
 from derive.cli import main
-from derive.paper.ledger import Record, from_source, load_ledger
+from derive.paper.ledger import Record, compare, from_source, load_ledger
 from derive.paper.reader import parse
 
 LEDGER = load_ledger()
@@ -69,8 +69,9 @@ def beside(label: str) -> list[str]:
 
 @pytest.mark.parametrize(("label", "old", "new", "edit"), CHANGES)
 def test_a_change_by_hand_is_refuted_and_undone(theory, label, old, new, edit):
-    there = from_source(source(**{label: changed_copy(label, old, new)}))
-    assert {name for name, record in there.items() if record.latex.strip() != LEDGER[name].latex} == {label}
+    text = source(**{label: changed_copy(label, old, new)})
+    there = from_source(text)
+    assert [difference.id for difference in compare(LEDGER, text)] == [label]
     verdicts = {name: judge_formula(theory, there[name], mend=name == label) for name in beside(label)}
     assert [name for name, verdict in verdicts.items() if verdict.verdict == REFUTED] == [label]
     verdict = verdicts[label]
