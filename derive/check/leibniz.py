@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from derive.paper import tree as t
 
@@ -14,12 +15,18 @@ LINEAR = (t.Sum, t.Contraction, t.Transpose)
 def expanded(node: t.Node) -> t.Node | None:
     """A tree of the same value as a rate or a variation, with fewer operations under it; None if there is none."""
     if isinstance(node, t.Varied):
-        return _of(node.of, t.Varied)
+        return _of(node.of, t.Varied) or _inside(node)
     if isinstance(node, t.Primed):
         if node.order > 1 and not isinstance(node.of, t.Name | t.Call):
             return t.Primed(t.Primed(node.of, 1), node.order - 1)
-        return _of(node.of, lambda part: t.Primed(part, node.order))
+        return _of(node.of, lambda part: t.Primed(part, node.order)) or _inside(node)
     return None
+
+
+def _inside(node: t.Varied | t.Primed) -> t.Node | None:
+    """The rate or variation of what is itself one, expanded."""
+    inner = expanded(node.of)
+    return None if inner is None else replace(node, of=inner)
 
 
 def _of(node: t.Node, change: Change) -> t.Node | None:
@@ -30,6 +37,8 @@ def _of(node: t.Node, change: Change) -> t.Node | None:
         changed = (node.with_parts((*parts[:n], change(part), *parts[n + 1 :])) for n, part in enumerate(parts))
         terms = tuple(term for n, term in enumerate(changed) if not isinstance(parts[n], t.Number))
         return t.Sum(terms) if len(terms) > 1 else terms[0]
+    if isinstance(node, t.Quotient) and isinstance(node.below, t.Number):
+        return t.Quotient(change(node.above), node.below)
     if isinstance(node, t.Power) and node.exponent == t.Number(2):
         return t.Product((t.Number(2), _product(node.base, change(node.base))))
     return None
