@@ -20,7 +20,12 @@ from derive.paper.symbolic import Indices
 from derive.theory.claims import Equal, NonNegative, Order, Positive, Relation
 
 Said = tuple[str, Relation]  # what of the printed relation it is, empty if it is all of it
-SIGNS = {"<": (Positive, -1), ">": (Positive, 1), "<=": (NonNegative, -1), ">=": (NonNegative, 1)}
+SIGNS: dict[str, tuple[type[Positive] | type[NonNegative], int]] = {
+    "<": (Positive, -1),
+    ">": (Positive, 1),
+    "<=": (NonNegative, -1),
+    ">=": (NonNegative, 1),
+}
 
 
 def said(operator: str, left: Any, right: Any, reading: Components) -> Iterator[Said]:

@@ -76,7 +76,8 @@ def on_line(case: LoadCase, functions: Weierstrass, at: Expansion, title: str) -
 
 def _moving(reading: OnRod, here: Expr) -> OnRod:
     """The names that move along the rod, with u = here, and their rates."""
-    assert reading.solution is not None and reading.invariants is not None
+    assert reading.solution is not None
+    assert reading.invariants is not None
     value = fn.wp(here, *reading.invariants)
     cosine = reading.solution(value)
     curvature = sqrt(reading.polynomials["f_hat"].subs(xi, cosine))
@@ -87,7 +88,7 @@ def _moving(reading: OnRod, here: Expr) -> OnRod:
 
 
 def _at_pole(case: LoadCase, functions: Weierstrass, at: Expansion) -> tuple[tuple[Expr, Expr], ...]:
-    """℘(v) = c; and ℘′(v), where v is on the same side of the rectangle for every rod (a = 1, field along the force)."""
+    """℘(v) = c; and ℘′(v), where v is on the same side of the rectangle for every rod (a = 1, e ∥ F)."""
     if not case.bends:
         return ()
     point = fn.perimeter_point(at.c, functions.g2, functions.g3), functions.g2, functions.g3
