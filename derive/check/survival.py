@@ -12,10 +12,8 @@ from typing import Any
 from derive.check import misprints, mutate
 from derive.check.printed import judge_formula
 from derive.check.report import FormulaVerdict
-from derive.check.text import judge as text
 from derive.check.verdicts import DEFINITION, PROVED, REFUTED
 from derive.paper.ledger import Record
-from derive.paper.text_claims import FORMULA, TextClaim
 from derive.theory.claims import Claim
 
 FATES = ("killed", "equivalent", "surviving")
@@ -46,22 +44,6 @@ def of_formula(theory: Any, record: Record) -> list[dict[str, Any]]:
     if sound is None:
         return [_fate(record.id, "none", "surviving", record.latex, "", "it is neither proved nor can it be mended")]
     return [_of_mutant(theory, sound, mutant) for mutant in misprints.mutants(sound)]
-
-
-def of_text(theory: Any, claim: TextClaim) -> list[dict[str, Any]]:
-    """The fates of the mutants of a claim of the running text, as plain data."""
-    if claim.form == FORMULA:
-        return of_formula(theory, claim.record)
-    sound = text.mended(theory, claim)
-    if sound is None:
-        return [_fate(claim.id, "none", "surviving", claim.printed, "", "it is neither proved nor can it be mended")]
-    return [_of_variant(theory, claim.id, kind, variant) for kind, variant in text.variants(sound)]
-
-
-def _of_variant(theory: Any, name: str, kind: str, variant: TextClaim) -> dict[str, Any]:
-    verdict = text.judge_text(theory, variant, mend=False)
-    fate = "killed" if verdict.verdict == REFUTED else "surviving"
-    return _fate(name, kind, fate, str(dict(variant.data)), verdict.verdict, verdict.reason)
 
 
 def mended(record: Record, verdict: FormulaVerdict) -> Record | None:
