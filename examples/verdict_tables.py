@@ -8,6 +8,7 @@ from typing import Any
 
 Found = Mapping[str, Any]
 ORDER = ("PROVED", "CERTIFIED", "AGREED", "DEFINITION", "REFUTED", "UNKNOWN", "UNREAD")  # in the order of trust
+WIDEST = 240  # characters of a formula in a table
 TEXT = "text."  # ids of claims of the running text begin so
 
 
@@ -48,8 +49,10 @@ def errata_table(result: Found) -> list[str]:
 
 
 def cell(latex: str) -> str:
-    """A formula in a table, in one line."""
-    return "`" + " ".join(latex.split()).rstrip("\\,. ").replace("|", r"\|") + "`"
+    """A formula in a table, in one line; of a very long one the beginning."""
+    line = " ".join(latex.split()).rstrip("\\,. ")
+    line = line if len(line) <= WIDEST else f"{line[:WIDEST].rsplit(' ', 1)[0]} …"
+    return f"`{line}`".replace("|", r"\|")
 
 
 def mutant_table(mutants: Found) -> list[str]:

@@ -157,6 +157,7 @@ def test_names_and_numbers_are_set_as_formulas() -> None:
     assert text.symbol("xi_tip") == r"\xi_{\mathrm{tip}}"
     assert text.symbol(r"\input{x}") == r"\text{\textbackslash{}input\{x\}}"
     assert text.prose("force_only, a = -1, at xi_tip") == r"force only, a = $-1$, at $\xi_{\mathrm{tip}}$"
+    assert text.prose("as long as κ_x > 0") == r"as long as $\kappa_{x}$ $>$ 0"
     assert text.number("9243/100000") == "0.09243"
     assert text.number("-1/3") == "-1/3"
     assert text.number("1/100000000000000000000") == "10^{-20}"

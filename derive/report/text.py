@@ -27,10 +27,10 @@ ESCAPED = {
 SPELLED = {"epsilon": r"\varepsilon"}  # where the article takes another form of a letter
 ACCENTS = {"bar": r"\overline", "hat": r"\hat", "tilde": r"\tilde"}
 GREEK = {
-    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "mu", "nu", "xi", "sigma", "tau",
+    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "mu", "nu", "xi", "sigma", "varsigma", "tau",
     "phi", "chi", "psi", "omega", "pi", "ell", "varkappa", "vartheta", "varepsilon", "lambda", "rho",
 }  # fmt: skip
-NAMES = re.compile(r"(\b[A-Za-z]+(?:_[A-Za-z0-9]+)+\b|(?<=[ =])-\d+\b|\b(?:" + "|".join(sorted(GREEK)) + r")\b)")
+NAMES = re.compile(r"(\b[^\W\d_]+(?:_[A-Za-z0-9]+)+\b|(?<=[ =])-\d+\b|\b(?:" + "|".join(sorted(GREEK)) + r")\b)")
 DIGITS = 8  # of a decimal number
 COMMENT = re.compile(r"(?<!\\)%[^\n]*")
 LEFT_OUT = re.compile(r"\\label\s*\{[^{}]*\}|\\(?:nonumber|notag)(?![A-Za-z])")
@@ -89,9 +89,11 @@ def prose(said: str) -> str:
 
 def _named(part: str) -> str:
     """A number or the name of a letter as a formula; names made of words as words."""
-    base = part.split("_")[0]
+    base, _, script = part.partition("_")
     if part.startswith("-"):
         return f"${part}$"
+    if base in MATHS:
+        return f"${MATHS[base]}_{{{symbol(script)}}}$"
     return f"${symbol(part)}$" if base in GREEK or len(base) == 1 else text(part.replace("_", " "))
 
 
