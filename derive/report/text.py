@@ -27,8 +27,8 @@ ESCAPED = {
 SPELLED = {"epsilon": r"\varepsilon"}  # where the article takes another form of a letter
 ACCENTS = {"bar": r"\overline", "hat": r"\hat", "tilde": r"\tilde"}
 GREEK = {
-    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "mu", "nu", "xi", "sigma", "varsigma", "tau",
-    "phi", "chi", "psi", "omega", "pi", "ell", "varkappa", "vartheta", "varepsilon", "lambda", "rho",
+    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "mu", "nu", "xi", "sigma", "tau",
+    "varsigma", "phi", "chi", "psi", "omega", "pi", "ell", "varkappa", "vartheta", "varepsilon", "lambda", "rho",
 }  # fmt: skip
 NAMES = re.compile(r"(\b[^\W\d_]+(?:_[A-Za-z0-9]+)+\b|(?<=[ =])-\d+\b|\b(?:" + "|".join(sorted(GREEK)) + r")\b)")
 DIGITS = 8  # of a decimal number
@@ -82,7 +82,7 @@ def _letter(word: str) -> str:
 def prose(said: str) -> str:
     """Text in which names of the theory, such as ``xi_tip``, and numbers with a minus are set as formulas."""
     parts = re.split(
-        r"(\b[A-Za-z]+(?:_[A-Za-z0-9]+)+\b|(?<=[ =])-\d+\b|\b(?:" + "|".join(sorted(GREEK)) + r")\b)", said
+        r"(\b[^\W\d_]+(?:_[A-Za-z0-9]+)+\b|(?<=[ =])-\d+\b|\b(?:" + "|".join(sorted(GREEK)) + r")\b)", said
     )
     return "".join(_named(part) if n % 2 else text(part) for n, part in enumerate(parts))
 
