@@ -13,11 +13,12 @@ from typing import Any
 from derive import pipeline, show, stages
 from derive.commands import latex, running, save
 from derive.paper.ledger import Record, compare, from_source, load_ledger
+from derive.paper.text_claims import TextClaim, claims_of, from_json, load_claims
 from derive.runner import Runner
 from derive.stages import Task
 
 NEAR = 3  # labels named when one is not known
-MISSING = "it is in the ledger, but not in this source"
+MISSING = "it is in the ledger; this source does not have it, or prints something else there"
 HERE = (Path(__file__).resolve(),)
 
 
@@ -25,12 +26,13 @@ HERE = (Path(__file__).resolve(),)
 class Printed:
     """What there is to judge.
 
-    records: of the ledger, or as a source prints them. differences: from the ledger, in the source. missing: ids of
-    the ledger that the source does not have. not_judged: labels of the source that the ledger does not have.
+    records, claims: of the ledger, or as a source prints them. differences: from the ledger, in the source. missing:
+    ids of the ledger that the source does not have. not_judged: labels of the source that the ledger does not have.
     """
 
     source: str
     records: tuple[Record, ...]
+    claims: tuple[TextClaim, ...]
     differences: tuple[dict[str, Any], ...] = ()
     missing: tuple[str, ...] = ()
     not_judged: tuple[str, ...] = ()
@@ -46,7 +48,8 @@ def run_check(options: argparse.Namespace) -> int:
         if not options.only:
             pipeline.judge_theory(runner, job)
         if job.holds:
-            pipeline.judge_paper(runner, job, [stages.plain(record) for record in found.records])
+            claims = [claim.to_json() for claim in found.claims]
+            pipeline.judge_paper(runner, job, [stages.plain(record) for record in found.records], claims)
     job.printed += [unread(name) for name in found.missing]
     counted = {"counts": show.counts(job.printed), "claims": show.counts(job.claims)}
     compared = {"differences": list(found.differences), "not_judged": list(found.not_judged)}
@@ -63,30 +66,34 @@ def read(paper: Path | None) -> Printed:
     """The ledger, or what a LaTeX source says in its place."""
     ledger = load_ledger()
     if paper is None:
-        return Printed("ledger", tuple(ledger.values()))
+        return Printed("ledger", tuple(ledger.values()), tuple(load_claims().values()))
     text = latex(paper)
     there, differences = from_source(text), compare(ledger, text)
+    claims, text_differences = claims_of(text)
     kinds = {one.id: one.kind for one in differences}
     missing = tuple(name for name, kind in kinds.items() if kind == "absent from the source")
     if len(missing) == len(ledger):
         reason = f"none of its {len(there)} displayed equations has a label of the ledger; give the article's source"
         raise pipeline.UnknownFormulaError(f"{paper}: {reason}")
     others = tuple(name for name, kind in kinds.items() if kind == "absent from the ledger")
-    differing = tuple(stages.plain(one) for one in differences if one.id not in others)
-    return Printed(str(paper), tuple(there[n] for n in ledger if n in there), differing, missing, others)
+    differing = tuple(stages.plain(one) for one in (*differences, *text_differences) if one.id not in others)
+    records = tuple(there[name] for name in ledger if name in there)
+    missing += tuple(name for name in load_claims() if name not in claims)
+    return Printed(str(paper), records, tuple(claims.values()), differing, missing, others)
 
 
 def chosen(found: Printed, only: Sequence[str]) -> Printed:
     """What is asked for; UnknownFormulaError for a label that cannot be judged."""
     if not only:
         return found
-    known = [record.id for record in found.records]
+    known = [record.id for record in found.records] + [claim.id for claim in found.claims]
     for name in only:
         if name not in known:
             raise pipeline.UnknownFormulaError(f"no formula '{name}' here; {_hint(name, found, known)}")
     records = tuple(record for record in found.records if record.id in only)
+    claims = tuple(claim for claim in found.claims if claim.id in only)
     differences = tuple(one for one in found.differences if one["id"] in only)
-    return replace(found, records=records, differences=differences, missing=(), not_judged=())
+    return replace(found, records=records, claims=claims, differences=differences, missing=(), not_judged=())
 
 
 def _hint(name: str, found: Printed, known: Sequence[str]) -> str:
@@ -100,7 +107,7 @@ def _hint(name: str, found: Printed, known: Sequence[str]) -> str:
 
 def unread(name: str) -> dict[str, Any]:
     """The verdict on a formula that is not there."""
-    printed = load_ledger()[name].latex
+    printed = load_claims()[name].printed if name in load_claims() else load_ledger()[name].latex
     said = {"verdict": "UNREAD", "printed": printed, "method": "none", "counterexample": None, "repair": None}
     return {"id": name, "line": 0, **said, "reason": MISSING, "seconds": 0.0, "statements": []}
 
@@ -132,7 +139,9 @@ def mutant_tasks(runner: Runner, options: argparse.Namespace, found: Printed) ->
         tasks = [Task("mutants", one["id"], claim_mutants, (one["id"],), paths) for one in listed["claims"]]
     printed_paths = (*stages.PRINTED, *HERE)
     records = [stages.plain(record) for record in found.records]
-    return tasks + [Task("mutants", one["id"], formula_mutants, (one,), printed_paths) for one in records]
+    tasks += [Task("mutants", one["id"], formula_mutants, (one,), printed_paths) for one in records]
+    claims = [claim.to_json() for claim in found.claims]
+    return tasks + [Task("mutants", one["id"], text_mutants, (one,), printed_paths) for one in claims]
 
 
 def claim_mutants(name: str) -> list[dict[str, Any]]:
@@ -147,3 +156,10 @@ def formula_mutants(record: dict[str, Any]) -> list[dict[str, Any]]:
     from derive.check.survival import of_formula
 
     return of_formula(stages.theory(), Record(**{**record, "given": tuple(record["given"])}))
+
+
+def text_mutants(claim: dict[str, Any]) -> list[dict[str, Any]]:
+    """The fates of the mutants of one claim of the running text."""
+    from derive.check.survival import of_text
+
+    return of_text(stages.theory(), from_json(claim))

@@ -90,9 +90,17 @@ def printed_formulas(runner: Runner, source: str = "", only: Sequence[str] = ())
     return [record for record in listed if not only or record["id"] in only]
 
 
-def judge_paper(runner: Runner, job: Job, formulas: Sequence[dict[str, Any]]) -> None:
-    """Judge printed formulas."""
+def text_claims(runner: Runner) -> list[dict[str, Any]]:
+    """The claims of the running text, from the ledger."""
+    return list(runner.result(Task("paper", "running text", stages.list_text, (), stages.PAPER)))
+
+
+def judge_paper(
+    runner: Runner, job: Job, formulas: Sequence[dict[str, Any]], claims: Sequence[dict[str, Any]] = ()
+) -> None:
+    """Judge printed formulas, and claims of the running text."""
     tasks = [Task("printed", record["id"], stages.judge_printed, (record,), stages.PRINTED) for record in formulas]
+    tasks += [Task("text", claim["id"], stages.judge_text, (claim,), stages.PRINTED) for claim in claims]
     job.printed = runner.results(tasks, stages.derived)
 
 
@@ -153,7 +161,7 @@ def main_job(runner: Runner, scenes: Sequence[Path], *, paper: bool = True) -> J
     judge_theory(runner, job)
     if job.holds and paper:
         formulas = printed_formulas(runner)
-        judge_paper(runner, job, formulas)
+        judge_paper(runner, job, formulas, text_claims(runner))
         write_up(runner, job, formulas)
     if job.holds:
         emit_modules(runner, job, emission)

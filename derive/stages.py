@@ -116,6 +116,21 @@ def derive_forms(record: dict[str, Any]) -> dict[str, Any]:
         return {"statements": [], "failure": str(error)}
 
 
+def list_text() -> list[dict[str, Any]]:
+    """The claims of the running text, as data."""
+    from derive.paper.text_claims import load_claims
+
+    return [claim.to_json() for claim in load_claims().values()]
+
+
+def judge_text(claim: dict[str, Any]) -> dict[str, Any]:
+    """The verdict on one claim of the running text."""
+    from derive.check.text.judge import judge_text
+    from derive.paper.text_claims import from_json
+
+    return plain(judge_text(theory(), from_json(claim)))
+
+
 def scene_text(path: Path) -> str:
     """The text of a scene file; what is wrong with the file is said when it is read as a scene."""
     try:

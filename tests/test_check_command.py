@@ -11,8 +11,10 @@ import pytest
 
 from derive.cli import main
 from derive.paper.ledger import Record, load_ledger
+from derive.paper.text_claims import load_claims
 
 LEDGER = load_ledger()
+CLAIMS = load_claims()
 OTHER = r"\begin{equation} \label{einstein} E = m c^2 \end{equation}"
 
 
@@ -20,11 +22,20 @@ def shown(record: Record, latex: str = "") -> str:
     return f"\\begin{{equation}} \\label{{{record.id}}}\n{latex or record.latex}\n\\end{{equation}}\n"
 
 
+def inline(label: str) -> str:
+    """What the claims of the running text print behind a label."""
+    fragments = [fragment for claim in CLAIMS.values() if claim.after == label for fragment in claim.fragments]
+    return "".join(f"${fragment}$\n" for fragment in fragments)
+
+
 def source(tmp_path: Path, **changed: str | None) -> Path:
     """The ledger as a LaTeX text, with other text (None: nothing) for some labels, and one display more."""
     kept = [record for record in LEDGER.values() if changed.get(record.id, "") is not None]
     path = tmp_path / "paper.tex"
-    path.write_text("Text.\n" + "".join(shown(one, changed.get(one.id) or "") for one in kept) + OTHER + "\n")
+    text = "".join(shown(one, changed.get(one.id) or "") + inline(one.id) for one in kept)
+    elsewhere = dict.fromkeys(claim.after for claim in CLAIMS.values() if claim.after not in LEDGER)
+    figures = "".join(f"\\label{{{label}}}\n{inline(label)}" for label in elsewhere)
+    path.write_text(f"Text.\n{text}{OTHER}\n{figures}")
     return path
 
 
@@ -137,7 +148,7 @@ def test_the_article(tmp_path, capsys):
         pytest.skip("the article's source is not here; set DERIVE_PAPER")
     code, said = found(tmp_path, "--paper", str(path))
     assert code == 0
-    assert len(said["formulas"]) == len(LEDGER)
+    assert len(said["formulas"]) == len(LEDGER) + len(CLAIMS)
     assert len(said["not_judged"]) + len(LEDGER) == 130
     assert [one["id"] for one in said["formulas"] if one["verdict"] == "REFUTED"] == ["slch5"]
     assert f"{len(said['not_judged'])} other displays" in capsys.readouterr().out

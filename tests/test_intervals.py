@@ -115,7 +115,8 @@ def test_the_mean_value_form_holds_what_single_tips_give() -> None:
     wide = shoot(rod, boxes, balls.exactly(np.array([3.0, 3.1])))
     for share in (-1.0, -0.3, 0.5, 1.0):
         single = gaps(rod, boxes.mid + share * boxes.rad * 0.999, balls.exactly(np.array([3.0, 3.1])))
-        assert np.all(single.lower() >= wide.gap.lower()) and np.all(single.upper() <= wide.gap.upper())
+        assert np.all(single.lower() >= wide.gap.lower())
+        assert np.all(single.upper() <= wide.gap.upper())
 
 
 def euler(load: str) -> Rod:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
+import time
+
 import pytest
 from sympy import Function, Symbol, cos
 
@@ -176,3 +179,35 @@ def test_comments_hide_displays():
     text = "% \\begin{equation}\n\\begin{equation}\\label{x} a = b % \\label{y}\n\\end{equation}"
     (display,) = read_displays(text)
     assert (display.label, display.line) == ("x", 2)
+
+
+def _nest(before: str, after: str, inside: str, depth: int = MAX_DEPTH) -> str:
+    return before * depth + inside + after * depth + " = 1"
+
+
+@pytest.mark.parametrize(
+    ("latex", "where"),
+    [
+        (_nest(r"\xi (\beta + ", ")", r"\beta"), "parallel"),
+        (_nest(r"\beta (", ")", r"\boldsymbol{e}"), "plane"),
+        (_nest(r"\lim_{\xi \to 0} \frac{1}{", "}", r"\xi"), "parallel"),
+        (_nest(r"\lim_{\xi \to 0} \xi|_{\xi = ", "}", "0"), "parallel"),
+        (_nest(r"\delta \left[ \frac{1}{", r"} \right]_0^\ell", "s", MAX_DEPTH // 2), "variation"),
+        (_nest(r"\int_{", r"}^1 \xi d \xi", "0"), "parallel"),
+        (_nest(r"\xi^\mathrm{", "}", "u"), "parallel"),
+        (_nest(r"\boldsymbol Q (", ")", r"\boldsymbol \mu"), "kirchhoff"),
+        (_nest(r"\left\{ \begin{matrix}", r"\mathrm{if} 1 < 2 \end{matrix} \right.", "1", 15), "parallel"),
+        (r"\beta " * 3000 + "= 1", "parallel"),
+        (r"\int " * 5000, "parallel"),
+        (r"\boldsymbol Q " * 1000 + r"\boldsymbol \mu = \boldsymbol 0", "kirchhoff"),
+        ("{" * 10_000, "parallel"),
+        ("1 = " * 4000 + "1", "parallel"),
+        ("|" * 10_000, "parallel"),
+    ],
+)  # fmt: skip
+def test_hostile_formulas_end_in_time(latex, where):
+    """Read or refused, in seconds, and without exhausting the stack (which would be another exception)."""
+    start = time.process_time()
+    with contextlib.suppress(ReadError):
+        parse(latex, where)
+    assert time.process_time() - start < 10

@@ -25,10 +25,10 @@ ROOTS = {
     "plane.units_permeability": "defines the unit of current",
     "weierstrass.second_derivative": "a property of the Weierstrass function (DLMF 23.3.10, 23.3.12)",
     "weierstrass.resolvent": "Taylor's formula for any quartic at any of its roots",
-    **{
-        f"weierstrass.side_{side}": "a property of the Weierstrass function on the rectangle of half-periods"
-        for side in ("0_omega_1", "omega_1_omega_2", "omega_3_omega_2", "omega_3_0")
-    },
+    **dict.fromkeys(
+        (f"weierstrass.side_{side}" for side in ("0_omega_1", "omega_1_omega_2", "omega_3_omega_2", "omega_3_0")),
+        "a property of the Weierstrass function: its inverse on the rectangle of half-periods (DLMF 19.25.35)",
+    ),
     "shape.addition": "a property of the Weierstrass functions: the addition theorem",
 }
 

@@ -18,6 +18,8 @@ from numpy.typing import NDArray
 UNIT = 2.0**-53  # relative error of one rounding
 TINY = 2.0**-1000  # more than all underflows of one operation together
 Array = NDArray[np.float64]
+# Around computations in which a radius may become infinite: that is no error, only nothing is decided then.
+unbounded = np.errstate(over="ignore", invalid="ignore")
 
 
 @dataclass(frozen=True)

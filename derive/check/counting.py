@@ -45,6 +45,7 @@ def count(rod: Rod, eta: Fraction) -> int | None:
 
 
 @cache
+@balls.unbounded
 def alone(rod: Rod, low: Fraction, high: Fraction, *, sense: int = 0, tips: tuple[float, float] = (0.0, LAST)) -> bool:
     """Is it proved that for every η from low to high there is one equilibrium with its tip between two angles?
 

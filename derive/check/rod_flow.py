@@ -14,7 +14,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from derive.check.balls import Array, Ball, exactly, rational, series_product, sine_cosine
+from derive.check.balls import Array, Ball, exactly, rational, series_product, sine_cosine, unbounded
 
 LEAST_STEPS = 8  # a power of two, so that the step is exact
 FINE = 0.4  # the greatest √(B + |H|) times the step
@@ -38,6 +38,7 @@ class Clamp:
     by_field: State
 
 
+@unbounded
 def integrate(tip: Ball, force: Ball, field: Ball, *, derivatives: bool = True) -> Clamp:
     """From tips θ = t to the clamp, for B and H. All balls have the shape of ``tip``, or hold one number."""
     sine, cosine = sine_cosine(tip)
@@ -50,8 +51,7 @@ def integrate(tip: Ball, force: Ball, field: Ball, *, derivatives: bool = True) 
     while np.max(np.sqrt(force.size() + field.size())) / steps > FINE:
         steps *= 2
     for _ in range(steps):
-        with np.errstate(over="ignore", invalid="ignore"):  # a radius may become infinite: nothing is decided then
-            state = _advanced(state, force, field, 1.0 / steps, ORDER)
+        state = _advanced(state, force, field, 1.0 / steps, ORDER)
     by_tip, by_field = (
         {"angle": state[angle], "y": state[y], "z": state[z]} if derivatives else {}
         for angle, y, z in (("h", "y_h", "z_h"), ("p", "y_p", "z_p"))

@@ -59,6 +59,7 @@ class Shot:
     sag_by_field: Ball
 
 
+@balls.unbounded
 def shoot(rod: Rod, tips: Ball, fields: Ball) -> Shot:
     """Enclosures over boxes, by the mean value theorem: the middle, and the derivatives over the box."""
     wide = integrate(tips, rod.force, fields)

@@ -12,9 +12,13 @@ from typing import Any
 from derive.check import mutate
 from derive.check.printed import judge_formula
 from derive.check.report import FormulaVerdict
+from derive.check.text import judge as text
 from derive.check.trial import EQUIVALENT, ILL_TYPED, KILLED, MEANINGLESS, SURVIVING, Fate, Trial
-from derive.check.verdicts import AGREED, CERTIFIED, DEFINITION, PROVED
+from derive.check.verdicts import AGREED, CERTIFIED, DEFINITION, PROVED, REFUTED
 from derive.paper.ledger import Record
+from derive.paper.printer import to_latex
+from derive.paper.reader import parse
+from derive.paper.text_claims import FORMULA, TextClaim
 from derive.theory.claims import Claim
 
 FATES = (KILLED, ILL_TYPED, EQUIVALENT, SURVIVING, MEANINGLESS)
@@ -51,12 +55,29 @@ def of_formula(theory: Any, record: Record) -> list[dict[str, Any]]:
     return found + [_of_mutant(record.id, fate) for fate in Trial(theory, sound, numbers).fates()]
 
 
+def of_text(theory: Any, claim: TextClaim) -> list[dict[str, Any]]:
+    """The fates of the mutants of a claim of the running text, as plain data."""
+    if claim.form == FORMULA:
+        return of_formula(theory, claim.record)
+    sound = text.mended(theory, claim)
+    if sound is None:
+        return [_fate(claim.id, "none", SURVIVING, claim.printed, "", "it is neither proved nor can it be mended")]
+    return [_of_variant(theory, claim.id, kind, variant) for kind, variant in text.variants(sound)]
+
+
+def _of_variant(theory: Any, name: str, kind: str, variant: TextClaim) -> dict[str, Any]:
+    verdict = text.judge_text(theory, variant, mend=False)
+    fate = KILLED if verdict.verdict == REFUTED else SURVIVING
+    return _fate(name, kind, fate, str(dict(variant.data)), verdict.verdict, verdict.reason)
+
+
 def mended(record: Record, verdict: FormulaVerdict) -> tuple[Record | None, list[str]]:
     """The formula with repairs for what is refuted (None if it was not read), and what has no sound form."""
-    parts = [s.repair["latex"] if s.repair else s.printed for s in verdict.statements]
-    unsound = [s.printed for s in verdict.statements if not s.repair and s.verdict not in HOLD]
-    if not parts:
+    if not verdict.statements:
         return None, [record.latex]
+    printed = [to_latex(statement, str(record.scope)) for statement in parse(record.latex, str(record.scope))]
+    parts = [s.repair["latex"] if s.repair else latex for s, latex in zip(verdict.statements, printed, strict=True)]
+    unsound = [s.printed for s in verdict.statements if not s.repair and s.verdict not in HOLD]
     return replace(record, latex=r" \,, \qquad ".join(parts)), unsound
 
 

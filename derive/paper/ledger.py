@@ -12,6 +12,8 @@ from .errors import ReadError
 from .order import entries
 from .tokens import PUNCTUATION, tokenise
 
+_SIZED = ("LPAR", "RPAR", "LBRACKET", "RBRACKET", "LSET", "RSET", "LBAR", "RBAR")  # brackets of any size
+
 
 @dataclass(frozen=True)
 class Record:
@@ -101,6 +103,4 @@ def _tokens(latex: str) -> list[str]:
         return latex.split()
     while tokens and tokens[-1].type in PUNCTUATION:
         tokens.pop()
-    return [
-        token[-1] if token.type.startswith(("LPAR", "RPAR", "LBRACK", "RBRACK")) else str(token) for token in tokens
-    ]
+    return [token[-1] if token.type in _SIZED else str(token) for token in tokens]

@@ -103,8 +103,9 @@ def load_claims() -> dict[str, TextClaim]:
 def claims_of(text: str) -> tuple[dict[str, TextClaim], list[Difference]]:
     """The claims as a LaTeX source prints them, and where it differs from the ledger.
 
-    A formula is taken from the source: the inline formula near its place that is most like the ledger's. Of the other
-    forms only the fragments can be looked for; where one is missing, that is a difference, and the claim stays.
+    A formula is taken from the source: the inline formula at its place that is most like the ledger's. Of the other
+    forms only the fragments can be looked for; where one is missing, the source says something else, and what it says
+    is not read: the claim is left out.
     """
     found, differences = {}, []
     for claim in load_claims().values():
@@ -114,18 +115,16 @@ def claims_of(text: str) -> tuple[dict[str, TextClaim], list[Difference]]:
             continue
         start, place = near
         inline = [(match[1], match.start()) for match in _INLINE.finditer(place)]
-        plain = _plain(place)
-        missing = [one for one in claim.fragments if _plain(one) not in plain]
-        if claim.form == FORMULA and missing:
-            latex, offset = _closest(claim.latex, inline)
-            line = text.count("\n", 0, start + offset) + 1
-            differences.append(Difference(claim.id, line, "differs", claim.latex, latex))
-            if not latex:
-                continue
-            claim = replace(claim, latex=latex, line=line)
-        elif missing:
-            differences.append(Difference(claim.id, claim.line, "differs", missing[0], ""))
-        found[claim.id] = claim
+        plain = [_plain(latex) for latex, _ in inline]
+        missing = [one for one in claim.fragments if not any(_plain(one) in printed for printed in plain)]
+        if not missing:
+            found[claim.id] = claim
+            continue
+        latex, offset = _closest(missing[0], inline)
+        line = text.count("\n", 0, start + offset) + 1
+        differences.append(Difference(claim.id, line, "differs", missing[0], latex))
+        if claim.form == FORMULA and latex:
+            found[claim.id] = replace(claim, latex=latex, fragments=(latex,), line=line)
     return found, differences
 
 

@@ -76,10 +76,22 @@ def _claim_order(case: LoadCase, book: Notebook) -> None:
         _claim(book, case, "distinct", "Δ > 0, the roots of f̂ are real", discriminant, where, "levels", *ENDS)
         span = case.roots[1] - case.roots[0]
         _claim(book, case, "order", "ξ_a < ξ_b", span, where, "root_a", "root_b", "distinct")
+        _claim_admissible(book, case)
         falls = -case.sense * diff(case.roots[0], case.constant)
         _claim(book, case, "falling_a", "ξ_a is monotone", falls, where, "root_a", "distinct")
     rises, last = case.sense * diff(case.roots[-1], case.constant), case.letters[-1]
     _claim(book, case, "rising_b", "the last root is monotone", rises, where, f"root_{last}", *ENDS)
+
+
+def _claim_admissible(book: Notebook, case: LoadCase) -> None:
+    """Where f̂ > 0: between its roots if H > 0, outside them if H < 0."""
+    inside = case.domain(**{case.constant.name: case.ends, "xi": COSINES})
+    where = Domain(inside.ranges, (case.f_hat,))
+    below, above = xi - case.roots[0], case.roots[1] - xi
+    gaps = {"above_a": below, "below_b": above} if case.bends == 1 else {"outside": -below * above}
+    for key, gap in gaps.items():
+        title = "ξ of a rod is on the side of the roots where f̂ > 0"
+        _claim(book, case, f"admissible_{key}", title, gap, where, "levels", "order", what="admissible")
 
 
 def _claim_limits(case: LoadCase, book: Notebook) -> None:

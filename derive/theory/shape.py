@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from sympy import Expr, Rational, Symbol, acosh, asin, diff, log, oo, sqrt, symbols
+from sympy import Expr, Rational, Symbol, diff, log, sqrt, symbols
 
-from .claims import Domain, Equal, Notebook, Positive
+from .claims import Domain, Equal, Notebook
 from .functions import wp, wp_prime, wsigma, wzeta
-from .load_case import COSINES, LoadCase
-from .symbols import s, u, v, xi
+from .height import height
+from .load_case import LoadCase
+from .symbols import s, u, v
 from .weierstrass import Weierstrass
 
 u_o = Symbol("u_o")  # u at the fixed end
@@ -82,7 +83,7 @@ def _case(case: LoadCase, functions: Weierstrass, general: tuple[Expr, Expr, Exp
         xi_of_s, y = _linear_shape(case, functions.linear, book)
     elif case.bends == 1:
         _claim_real_slope(case, functions, zetas, book)
-    return Shape(xi_of_s, y, _height(case, book))
+    return Shape(xi_of_s, y, height(case, book))
 
 
 def _claim_real_slope(case: LoadCase, functions: Weierstrass, zetas: Expr, book: Notebook) -> None:
@@ -111,55 +112,6 @@ def _linear_shape(case: LoadCase, linear: tuple[Expr, Expr], book: Notebook) -> 
     book.claim(f"{name}.y", "y′ = ξ", slope, domain=where, steps=steps, source=source)
     book.claim(f"{name}.y_start", "y(0) = 0", at_clamp, domain=where, steps=(f"{name}.y",), source=source)
     return xi_of_s, y
-
-
-def _height(case: LoadCase, book: Notebook) -> Mapping[str, Expr]:
-    """z from dz/dξ = z′/y″ = −1/κ_x with κ_x = √f̂ (exsl9a, exsl38)."""
-    if not case.bends:
-        # slch13: the radicand is linear.
-        found = {"": 2 * sqrt(case.f_hat) / -diff(case.f_hat, xi)}
-        places = {"": (COSINES[0], case.roots[0])}
-    else:
-        # exsl39, exhpf17: f̂ = (Δ/H)(1 − t²), t = (Hξ + B)/√Δ.
-        discriminant = case.force**2 + case.f_hat.subs(xi, 0) * case.stiffness
-        t = (case.stiffness * xi + case.force) / sqrt(discriminant)
-        where = case.domain(xi=COSINES, **{case.constant.name: case.ends})
-        squares = Equal(discriminant / case.stiffness * (1 - t**2), case.f_hat)
-        name, source, steps = f"shape.{case.name}.square", case.source("square completed"), case.ids("quartic.levels")
-        book.claim(name, "f̂ as a square completed", squares, domain=where, steps=steps, source=source)
-        if case.bends == 1:
-            found, places = {"": -asin(t) / sqrt(case.stiffness)}, {"": case.roots}
-        else:
-            # −t > 1 above the roots, t > 1 below them: two branches of the inverse hyperbolic cosine.
-            unit = sqrt(-case.stiffness)
-            above, below = -t, t
-            found = {"above": -acosh(above) / unit, "below": acosh(below) / unit}
-            places = {"above": (case.roots[1], oo), "below": (-oo, case.roots[0])}
-            for side, argument in (("above", above), ("below", below)):
-                where = case.domain(**{case.constant.name: case.ends, "xi": places[side]})
-                name = f"shape.{case.name}.branch_{side}"
-                title, steps = "the inverse hyperbolic cosine takes a positive argument", case.ids("shape.square")
-                source = case.source("inverse cosine")
-                book.claim(name, title, Positive(argument), domain=where, steps=steps, source=source)
-    source = case.source("z")
-    rests = ("plane.bending", *case.ids("shape.square" if case.bends else "quartic.levels"))
-    for side, z in found.items():
-        where = case.domain(**{case.constant.name: case.ends, "xi": places[side]})
-        key = f"shape.{case.name}.z_{side}".rstrip("_")
-        book.show(f"z(ξ) {side}".rstrip(), z)
-        slope = diff(z, xi)
-        # Of κ_x = ±√f̂ this is the branch +: z falls as ξ grows.
-        square, steps = Equal(slope**2 * case.f_hat, 1), rests
-        if case.bends == -1:
-            steps += case.ids(f"shape.branch_{side}")
-        book.claim(key, "(dz/dξ)² = 1/κ_x²", square, domain=where, steps=steps, source=source)
-        title = "dz/dξ < 0 with κ_x > 0"
-        book.claim(f"{key}_sign", title, Positive(-slope), domain=where, steps=(key,), source=source)
-        # z′² = 1 − ξ² with (ξ′)² = f(ξ): the rod does not stretch.
-        length = Equal(slope**2 * case.f, 1 - xi**2)
-        steps, label = (key, "plane.inextensible"), case.source("inextensible")
-        book.claim(f"{key}_length", "z′² = 1 − y′²", length, domain=where, steps=steps, source=label)
-    return found
 
 
 def main() -> None:

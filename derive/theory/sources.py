@@ -19,6 +19,7 @@ SOURCES: dict[str, str | tuple[str, str, str, str]] = {
     "double root": ("exsl24", "exhpf8", "slch3", "slch6"),  # the end of the range where f̂ has one
     "straight rod": ("exsl25", "exhpf8", "slch3", "slch6"),  # the other end
     "order": ("exsl24", "exhpf8", "slch3", "slch6"),  # real distinct roots, and where they lie
+    "admissible": ("exsl15", "exhpf4", "exsl15", ""),  # ξ between the roots, or outside
     "at double root": ("exsl26", "exhpf9", "slch3", "slch6"),
     "at straight rod": ("exsl27", "exhpf10", "slch3", "slch6"),
     "expansion": "exsl16",  # ξ = a + b/(ϰ − c) at any root a
@@ -27,6 +28,9 @@ SOURCES: dict[str, str | tuple[str, str, str, str]] = {
     "substituted": "exsl19",  # (ξ′)² by (ϰ′)²
     "invariants": ("exsl21", "exhpf7", "exsl21", "slch10"),
     "solution": ("exsl22", "exhpf5", "exsl22", "exsl22"),
+    "unknown": "exsl19a",  # ϰ is ℘
+    "along the rod": "exsl20",  # with u = u_o + s
+    "tip": "exsl30",  # ξ at u = ω̄
     "linear": "slch11",
     "slope at pole": ("exsl29", "exhpf11", "exsl29", "exsl29"),
     "start": ("exsl31", "exhpf12", "exsl31", "slch11"),  # u_o, in the text after it
@@ -35,6 +39,9 @@ SOURCES: dict[str, str | tuple[str, str, str, str]] = {
     "xi by zeta": ("exsl35", "exhpf14", "exsl35", ""),
     "y": ("exsl36", "exhpf15", "exsl36", "slch12"),
     "square completed": ("exsl39", "exhpf17", "exsl39", ""),
+    "bending": ("exsl37", "", "exsl37", ""),  # ξ′ by z′
+    "slope of z": ("exsl38", "exhpf16", "exsl38", "slch13"),
+    "integrand": ("exsl40", "exhpf18", "exsl40", ""),  # of z, by the square completed
     "inverse cosine": ("", "exhpf18", "", ""),
     "z": ("exsl41", "exhpf19", "exsl41", "slch14"),
     "inextensible": "exsl4",

@@ -14,7 +14,7 @@ from sympy import Expr, Integer, factor, oo
 from .claims import Domain, Equal, Notebook, Positive
 from .load_case import COSINES, LoadCase, linear_root, xi_tip
 from .perimeter import SIDES, slope_by_field
-from .symbols import beta
+from .symbols import beta, xi
 
 HALF_PERIODS = ("omega_1", "omega_2", "omega_3")
 PLACES = {"(0, omega_1)": 0, "(omega_1, omega_2)": 1, "(omega_3, 0)": 3}  # of ℘(v) among the half-period values
@@ -56,6 +56,7 @@ def uo_cases(
             title = f"{one.condition}: ℘ at {half_period}"
             book.claim(f"{name}_{half_period}", title, root, domain=one.domain, steps=rests, source=source)
         rests = tuple(f"{name}_{half_period}" for half_period in HALF_PERIODS)
+        _claim_tip(case, one, values, name, value_at, book)
         # Down the real values of ℘ on the rectangle: ℘(ω₁) > ℘(ω₂) > ℘(ω₃), with ℘(v) on its segment.
         if pole is not None:
             _claim_slope(case, one, values, pole, name, rests, book)
@@ -92,6 +93,21 @@ def _claim_slope(
     rests = (*rests, f"weierstrass.side_{one.pole.strip('()').replace(', ', '_')}", *case.ids("weierstrass.slope"))
     title, source = f"{one.condition}: ℘′(v) on {one.pole}", case.source("slope on side")
     book.claim(f"{name}_slope", title, slope, domain=one.domain, steps=rests, source=source)
+
+
+def _claim_tip(
+    case: LoadCase, one: UoCase, halves: list[Expr], name: str, value_at: Callable[[Expr], Expr], book: Notebook
+) -> None:
+    """ξ(u) at u = u_o + ℓ = ω̄ is ξ(ℓ): ℘ there is the value that belongs to the root ξ(ℓ) of f̂."""
+    at_tip = HALF_PERIODS.index(one.half_period)
+    to_tip = {case.constant: case.tip_constant}
+    known = Equal(halves[at_tip], value_at(xi_tip).subs(to_tip))
+    root = Equal(case.f_hat.subs(to_tip).subs(xi, one.roots[at_tip]), 0)
+    title, source = f"{one.condition}: ξ(ω̄) is a root of f̂", case.source("tip")
+    steps = (*case.ids("quartic.free_end"), f"{name}_{one.half_period}")
+    book.claim(f"{name}_tip_root", title, root, domain=one.domain, steps=steps, source=source)
+    title, steps = f"{one.condition}: ℘(ω̄) belongs to ξ(ℓ)", (f"{name}_tip_root",)
+    book.claim(f"{name}_tip", title, known, domain=one.domain, steps=steps, source=source)
 
 
 def _start(case: LoadCase, condition: str, order: str, value: str, pole: str, domain: Domain) -> UoCase:

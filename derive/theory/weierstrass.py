@@ -177,7 +177,18 @@ def _claim_invariants(case: LoadCase, at: Expansion, g2: Expr, g3: Expr, where: 
     xi_of_u = at.xi_at(wp(u, g2, g3))
     solved = Equal(diff(xi_of_u, u) ** 2, case.f.subs(xi, xi_of_u))
     running = Domain({**where.ranges, u: (Rational(1, 10), Rational(3, 10))})
-    source, steps = case.source("solution"), case.ids("weierstrass.at_one")
+    # ϰ = c + b/(ξ − a) has (ϰ′)² = (dϰ/dξ)² f(ξ), the equation of ℘; and so on u = u_o + s.
+    unknown = Equal(diff(at.value_at(xi), xi) ** 2 * case.f, cubic.subs(kappa, at.value_at(xi)))
+    anywhere, steps = where.with_range(xi, *COSINES), case.ids("weierstrass.at_one")
+    source = case.source("unknown")
+    book.claim(f"{name}.unknown", "(ϰ′)² = 4ϰ³ − g₂ϰ − g₃", unknown, domain=anywhere, steps=steps, source=source)
+    start, run = symbols("u_o s", real=True)
+    moving = wp(start + run, g2, g3)
+    along = Domain({**where.ranges, **dict.fromkeys((start, run), (Rational(1, 10), Rational(2, 10)))})
+    shifted = Equal(diff(moving, run) ** 2, cubic.subs(kappa, moving))
+    source, steps = case.source("along the rod"), (f"{name}.unknown",)
+    book.claim(f"{name}.along", "the same on u = u_o + s", shifted, domain=along, steps=steps, source=source)
+    source, steps = case.source("solution"), (f"{name}.unknown",)
     book.claim(f"{name}.solution", "(ξ′)² = f(ξ)", solved, domain=running, steps=steps, source=source)
 
 

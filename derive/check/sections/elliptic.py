@@ -88,7 +88,7 @@ def _moving(reading: OnRod, here: Expr) -> OnRod:
 
 
 def _at_pole(case: LoadCase, functions: Weierstrass, at: Expansion) -> tuple[tuple[Expr, Expr], ...]:
-    """℘(v) = c; and ℘′(v), where v is on the same side of the rectangle for every rod (a = 1, field along the force)."""
+    """℘(v) = c; and ℘′(v), where v is on the same side of the rectangle for every rod (a = 1, e ∥ F)."""
     if not case.bends:
         return ()
     point = fn.perimeter_point(at.c, functions.g2, functions.g3), functions.g2, functions.g3

@@ -67,7 +67,10 @@ def _reading(case: LoadCase, functions: Weierstrass, side: Side, bent: int) -> O
     return OnRod(
         title=f"{case.name}, {stretch}",
         values=values,
-        domain=side.domain.with_range(xi_0, *COSINES).with_range(m.ell, 0, oo).with_range(m.s, 0, m.ell).with_range(m.varsigma, 0, m.ell),
+        domain=side.domain.with_range(xi_0, *COSINES)
+        .with_range(m.ell, 0, oo)
+        .with_range(m.s, 0, m.ell)
+        .with_range(m.varsigma, 0, m.ell),
         # ξ′ = −κ_x sin θ, and θ′ = κ_x.
         rates={xi: -curvature * sine, Y: xi, Z: sine, theta: curvature, sine: curvature * xi, m.s: Integer(1)},
         polynomials={"f": case.f, "f_hat": case.f_hat},

@@ -25,6 +25,7 @@ from derive.paper.symbolic import Indices, to_sympy
 from derive.theory import letters
 from derive.theory.letters import X1, X2, A, e3, eta_tilde, vector_of
 from derive.theory.symbols import s
+from derive.theory.variation import Balance
 
 FIELD = vector_of("h_a")  # the applied field in the frame d; it does not vary in space
 SECTION = (t.Name("X_1"), t.Name("X_2"))
@@ -36,13 +37,23 @@ class MagneticRod(Rod):
 
     title = "any rod with particles along its fibres"
 
+    def __init__(self, balance: Balance) -> None:
+        super().__init__(balance)
+        self._integrals: dict[Any, Any] = {}
+
     @property
     def uniform(self) -> dict[Matrix, Matrix]:
         """The field does not vary along the rod."""
         return {FIELD: zeros(3, 1)}
 
     def integral(self, node: t.Integral, indices: Indices) -> Any:
-        """Over a section, along the rod, or over a part of the rod."""
+        """Over a section, along the rod, or over a part of the rod; each is computed once."""
+        key = (node, tuple(sorted(indices.items())))
+        if key not in self._integrals:
+            self._integrals[key] = self._integral(node, indices)
+        return self._integrals[key]
+
+    def _integral(self, node: t.Integral, indices: Indices) -> Any:
         of = to_sympy(node.of, self, indices)
         match node.region:
             case t.Name(name="Sigma") if node.by == SECTION:

@@ -1,14 +1,13 @@
-"""A second frame beside the one in which vectors are written, and what varies along a rod.
+"""Values for readings of a rod: on a second frame, of what is not known, and of integrals along the rod.
 
-All vectors are in components on the frame d of the deformed rod. What varies is a function of s, of X₁ and X₂ too
-where it is a field, so that derivatives are SymPy's; those of functions that obey a law are replaced at once.
+All vectors are in components on the frame d of the deformed rod.
 """
 
 from __future__ import annotations
 
 from typing import Any
 
-from sympy import Expr, Function, ImmutableDenseMatrix, Matrix, MatrixBase, Symbol
+from sympy import Expr, Function, ImmutableDenseMatrix, Matrix, MatrixBase, Symbol, cancel
 
 
 class Turned(ImmutableDenseMatrix):  # type: ignore[misc]
@@ -18,12 +17,21 @@ class Turned(ImmutableDenseMatrix):  # type: ignore[misc]
     """
 
     own: Any
+    factors: tuple[Any, Any] | None = None
 
     @staticmethod
     def of(turn: Matrix, own: Any) -> Turned:
         """A vector with the components ``own`` on the frame that a rotation makes of d, or a tensor with them."""
-        made = Turned(turn * own if own.shape == (3, 1) else own * turn.T)
+        entries = turn * own if own.shape == (3, 1) else own * turn.T
+        made = Turned(*entries.shape, list(entries))
         made.own = own
+        return made
+
+    @staticmethod
+    def product(turn: Matrix, left: Any, right: Any) -> Turned:
+        """The tensor with the components left · rightᵀ; applied to a vector it is rightᵀ first."""
+        made = Turned.of(turn, left * right.T)
+        made.factors = left, right
         return made
 
     def dot(self, other: Any, *options: Any) -> Any:
@@ -34,7 +42,12 @@ class Turned(ImmutableDenseMatrix):  # type: ignore[misc]
     def __mul__(self, other: Any) -> Any:
         """In components."""
         pair = _own(self, other)
-        return pair[0] * pair[1] if pair else ImmutableDenseMatrix(self) * other
+        if pair is None:
+            return Matrix(self) * other
+        if self.factors is None:
+            return pair[0] * pair[1]
+        left, right = self.factors
+        return left * (right.T * pair[1]).applyfunc(cancel)
 
 
 def _own(one: Any, other: Any) -> tuple[Any, Any] | None:

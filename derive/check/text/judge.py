@@ -24,8 +24,8 @@ SECONDS = 20.0  # for one part of a claim
 CANDIDATES = 400  # of repairs
 
 FORMS: Mapping[str, Form] = {
-    "always": Form(ranges.judge_always, ranges.vary_cases),
-    "possible": Form(ranges.judge_possible, ranges.vary_cases),
+    "always": Form(ranges.judge_always, ranges.vary_always),
+    "possible": Form(ranges.judge_possible, ranges.vary_possible),
     "monotone": Form(ranges.judge_monotone, ranges.vary_monotone),
     "extreme": Form(ranges.judge_extreme, ranges.vary_extreme),
     "sign": Form(polynomials.judge_sign, polynomials.vary_sign),

@@ -121,17 +121,18 @@ def judge_bifurcations(theory: Any, claim: TextClaim, decide: Judge) -> list[Rel
 
 
 def vary_bifurcations(claim: TextClaim) -> Variants:
-    """A rod inside exchanged for one outside; another number of pairs."""
+    """A rod inside exchanged for one outside, one of them the first or the last; another number of pairs."""
     inside, outside = claim.data["inside"], claim.data["outside"]
     for n, one in enumerate(inside):
         for m, other in enumerate(outside):
+            if n and m + 1 < len(outside):
+                continue
             swapped = {
                 "inside": [*inside[:n], other, *inside[n + 1 :]],
                 "outside": [*outside[:m], one, *outside[m + 1 :]],
             }
             yield "curve", claim.but(**swapped)
-    for pairs in (0, 2):
-        yield "number", claim.but(pairs=pairs)
+    yield "number", claim.but(pairs=claim.data["pairs"] + 1)
 
 
 def judge_shrinks(theory: Any, claim: TextClaim, decide: Judge) -> list[RelationVerdict]:

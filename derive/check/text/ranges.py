@@ -74,16 +74,27 @@ def judge_possible(theory: Any, claim: TextClaim, decide: Judge) -> list[Relatio
     return found
 
 
-def vary_cases(claim: TextClaim) -> Variants:
-    """The relation turned; one root of f̂ for the other. Of a claim on what is possible, only the second."""
+def vary_always(claim: TextClaim) -> Variants:
+    """The relation turned; a bound beyond the true one."""
+    for n, (left, relation, right) in enumerate(claim.data["cases"]):
+        yield "relation", _with_case(claim, n, [left, RELATIONS[relation], right])
+        bound = {("<", "1"): "-1", (">", "-1"): "1", (">", "0"): "1"}.get((relation, right))
+        if bound:
+            yield "bound", _with_case(claim, n, [left, relation, bound])
+
+
+def vary_possible(claim: TextClaim) -> Variants:
+    """Beyond the other end of the range of cosines; another quantity."""
+    for n, (left, relation, right) in enumerate(claim.data["cases"]):
+        if right == "-1":
+            yield "bound", _with_case(claim, n, [left, RELATIONS[relation], "1"])
+        if left == "b":
+            yield "quantity", _with_case(claim, n, ["xi_b", "<", right])
+
+
+def _with_case(claim: TextClaim, number: int, case: list[str]) -> TextClaim:
     cases = claim.data["cases"]
-    for n, (left, relation, right) in enumerate(cases):
-        if claim.form == "always":
-            yield "relation", claim.but(cases=[*cases[:n], [left, RELATIONS[relation], right], *cases[n + 1 :]])
-        swapped = {"xi_a": "xi_b", "xi_b": "xi_a"}.get(left)
-        if swapped and right in ("1", "-1"):
-            beyond = "1" if right == "-1" and claim.form == "always" else right
-            yield "root", claim.but(cases=[*cases[:n], [swapped, relation, beyond], *cases[n + 1 :]])
+    return claim.but(cases=[*cases[:number], case, *cases[number + 1 :]])
 
 
 def judge_monotone(theory: Any, claim: TextClaim, decide: Judge) -> list[RelationVerdict]:
