@@ -26,10 +26,12 @@ def run_explain(options: argparse.Namespace) -> int:
 
 
 def printed(runner: Runner, label: str) -> list[dict[str, Any]]:
-    """The verdict on the printed formula of a label; none if it is the name of something else."""
+    """The verdict on the printed formula, or claim of the text, of a label; none if it names something else."""
     from derive.paper.ledger import load_ledger
+    from derive.paper.text_claims import load_claims
 
-    record, job = load_ledger().get(label), pipeline.Job()
-    if record is not None:
-        pipeline.judge_paper(runner, job, [stages.plain(record)])
+    records = [stages.plain(record) for record in load_ledger().values() if record.id == label]
+    claims = [claim.to_json() for claim in load_claims().values() if claim.id == label]
+    job = pipeline.Job()
+    pipeline.judge_paper(runner, job, records, claims)
     return job.printed

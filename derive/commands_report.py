@@ -49,10 +49,11 @@ def judged(options: argparse.Namespace) -> pipeline.Job:
     """The verdicts on the derivation and on the printed formulas, and the derived forms."""
     there, job = read(options.paper), pipeline.Job()
     records = [stages.plain(record) for record in there.records]
+    claims = [claim.to_json() for claim in there.claims]
     with running(options) as runner:
         pipeline.judge_theory(runner, job)
         if job.holds:
-            pipeline.judge_paper(runner, job, records)
+            pipeline.judge_paper(runner, job, records, claims)
             pipeline.write_up(runner, job, records)
     job.printed += [unread(name) for name in there.missing]
     return job

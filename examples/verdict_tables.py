@@ -8,7 +8,7 @@ from typing import Any
 
 Found = Mapping[str, Any]
 ORDER = ("PROVED", "CERTIFIED", "AGREED", "DEFINITION", "REFUTED", "UNKNOWN", "UNREAD")  # in the order of trust
-FATES = ("killed", "equivalent", "surviving")
+WIDEST = 240  # characters of a formula in a table
 TEXT = "text."  # ids of claims of the running text begin so
 
 
@@ -49,12 +49,15 @@ def errata_table(result: Found) -> list[str]:
 
 
 def cell(latex: str) -> str:
-    """A formula in a table, in one line."""
-    return "`" + " ".join(latex.split()).rstrip("\\,. ").replace("|", r"\|") + "`"
+    """A formula in a table, in one line; of a very long one the beginning."""
+    line = " ".join(latex.split()).rstrip("\\,. ")
+    line = line if len(line) <= WIDEST else f"{line[:WIDEST].rsplit(' ', 1)[0]} …"
+    return f"`{line}`".replace("|", r"\|")
 
 
 def mutant_table(mutants: Found) -> list[str]:
-    """What became of the wrong variants, by kind of change and in all."""
+    """What became of the wrong variants, by kind of change and in all; fates that none met are left out."""
+    fates = [fate for fate, number in mutants["counts"].items() if number or fate == "surviving"]
     rows: Sequence[tuple[str, Found]] = [*mutants["kinds"].items(), ("**all**", mutants["counts"])]
-    lines = [f"| change | {' | '.join(FATES)} |", "|---" * (len(FATES) + 1) + "|"]
-    return lines + [f"| {kind} | {' | '.join(str(fates.get(fate, 0)) for fate in FATES)} |" for kind, fates in rows]
+    lines = [f"| change | {' | '.join(fates)} |", "|---" * (len(fates) + 1) + "|"]
+    return lines + [f"| {kind} | {' | '.join(str(met.get(fate, 0)) for fate in fates)} |" for kind, met in rows]

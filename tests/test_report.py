@@ -100,6 +100,13 @@ def test_derived_forms_read_back(forms: dict[str, list[derived.Derived]]) -> Non
             assert parse(to_latex(statement, str(LEDGER[name].scope)), str(LEDGER[name].scope)) == [statement]
 
 
+def test_the_forms_do_not_depend_on_what_was_done_before(forms: dict[str, list[derived.Derived]]) -> None:
+    for name in ("exsl22", "exsl8"):
+        numbered = [sp.Dummy() for _ in range(2000)]  # SymPy numbers them through, and orders terms by names
+        assert numbered
+        assert derived.derived_forms(stages.theory(), LEDGER[name]) == forms[name]
+
+
 def test_a_wrong_derived_form_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     right = Writer.of
     monkeypatch.setattr(Writer, "of", lambda self, value, powers=None: right(self, value + 1, powers))
@@ -145,10 +152,15 @@ def test_text_is_escaped_whatever_it_holds() -> None:
 
 def test_names_and_numbers_are_set_as_formulas() -> None:
     assert text.symbol("gamma_bar_1") == r"\overline{\gamma}_{1}"
+    assert text.symbol("delta_q_1(s)") == r"\delta q_{1}(s)"
+    assert text.symbol("V_Pi") == r"V_{\Pi}"
     assert text.symbol("xi_tip") == r"\xi_{\mathrm{tip}}"
     assert text.symbol(r"\input{x}") == r"\text{\textbackslash{}input\{x\}}"
     assert text.prose("force_only, a = -1, at xi_tip") == r"force only, a = $-1$, at $\xi_{\mathrm{tip}}$"
-    assert text.number("9243/100000") == "9243/100000"
+    assert text.prose("as long as κ_x > 0") == r"as long as $\kappa_{x}$ $>$ 0"
+    assert text.number("9243/100000") == "0.09243"
+    assert text.number("-1/3") == "-1/3"
+    assert text.number("1/100000000000000000000") == "10^{-20}"
     assert text.number("1.2345678901234e-12") == r"1.2345679 \cdot 10^{-12}"
     assert text.number(r"\x") == r"\text{\textbackslash{}x}"
 
@@ -156,6 +168,7 @@ def test_names_and_numbers_are_set_as_formulas() -> None:
 def test_a_printed_formula_loses_what_is_no_formula() -> None:
     assert text.printed("x = 1 % why\n\\label{a} \\nonumber \\, ,") == "x = 1"
     assert text.printed(r"\left\{ a \right.") == r"\left\{ a \right."
+    assert text.printed(r"a & = b \\ & = c") == r"\begin{aligned} a & = b \\ & = c \end{aligned}"
     assert text.printed(r"\begin{split} a \end{split} \,.") == r"\begin{aligned} a \end{aligned}"
 
 

@@ -78,8 +78,10 @@ def derived(theory: Any, record: Record, statement: t.Statement, given: tuple[t.
     except MeaningError:  # the verdict says what has no meaning
         return Derived((), "not valued")
     except SpellError:
-        return Derived((), "valued in components, which have no letters here; both sides were compared in them")
-    if not found or len(found) > FORMS:
+        return Derived((), "no closed form in the letters of the section; both sides were compared in the theory")
+    if not found:
+        return Derived((), "named only by what is printed, which does not hold")
+    if len(found) > FORMS:
         return Derived((), "a form of its own in each reading; both sides were compared in all of them")
     return Derived(tuple(Form(latex, tuple(dict.fromkeys(where))) for latex, where in found.items()))
 

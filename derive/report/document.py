@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
@@ -35,6 +36,9 @@ TITLES = {
     "orthogonal": "Field across the force",
 }
 TEXT = "text."  # ids of claims of the running text begin so
+RELATION = re.compile(r"relation (\d+): [^\s(]+ \(([^()]*)\)")
+SHOWN = 8  # values of a counterexample; check --json has all
+UNNAMED = "rest_"  # begins the name of a quantity of which only the order is known
 SIDES = {"lhs": "left side", "rhs": "right side"}
 
 
@@ -105,9 +109,9 @@ def entry(formula: Record, derived: Derived, record: Record) -> dict[str, Any]:
         "formula": tex.printed(formula["printed"]) if read else "",
         "said": tex.text(formula["printed"]),
         "conditions": conditions(record),
-        "statements": [
-            statement(judged, form, n if len(statements) > 1 else 0) for n, (judged, form) in enumerate(paired, start=1)
-        ],
+        "statements": merged(
+            [statement(judged, form, n if len(statements) > 1 else 0) for n, (judged, form) in enumerate(paired, 1)]
+        ),
         "reason": tex.prose(formula["reason"]) if verdict != "REFUTED" else "",
     }
 
@@ -126,6 +130,14 @@ def statement(judged: Record, form: Record, number: int) -> dict[str, Any]:
         "kind": tex.prose(form["kind"]),
         "repair": repair["latex"] if repair else "",
     }
+
+
+def merged(statements: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """The same, said once, if nothing but one and the same reason is said of all."""
+    plain = all(one["kind"] and not one["repair"] for one in statements)
+    if plain and len({one["kind"] for one in statements}) == 1:
+        return [{**statements[0], "name": "derived"}]
+    return statements
 
 
 def shared(titles: Sequence[str]) -> set[str]:
@@ -163,7 +175,7 @@ def errata(formula: Record, derived: Derived, record: Record) -> Iterator[dict[s
                 "place": place(record),
                 "printed": tex.printed(judged["printed"]),
                 "counterexample": counterexample(judged["counterexample"] or {}),
-                "reason": tex.prose(judged["reason"]),
+                "reason": tex.prose(RELATION.sub(r"the sides of its relation \1; \2", judged["reason"])),
                 "repair": {"latex": repair["latex"], "how": how(repair)} if repair else None,
                 "forms": [{"latex": one["latex"]} for one in (forms[number]["forms"] if forms else ())],
             }
@@ -176,7 +188,10 @@ def how(repair: Record) -> str:
 
 
 def counterexample(point: Record) -> str:
-    """A point and the values of both sides there."""
-    at = [f"${tex.symbol(name)} = {tex.number(value)}$" for name, value in point.items() if name not in SIDES]
+    """A point, in short, and the values of both sides there."""
+    names = [name for name in point if name not in SIDES and not name.startswith(UNNAMED)]
+    at = [f"${tex.symbol(name)} = {tex.number(point[name])}$" for name in names[:SHOWN]]
+    if len(names) > SHOWN:
+        at.append(f"and {len(names) - SHOWN} more")
     sides = [f"{said} ${tex.number(point[name])}$" for name, said in SIDES.items() if name in point]
     return ", ".join(at) + (": " if at and sides else "") + ", ".join(sides)

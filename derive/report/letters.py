@@ -68,7 +68,7 @@ class Letters:
         short: dict[Any, Symbol] = {}
         for node, value in self.valued(nodes):
             if isinstance(node, t.Name | t.Dot) and worth_a_letter(value) and value not in short:
-                short[value] = Dummy(real=True)
+                short[value] = Dummy(node.name if isinstance(node, t.Name) else f"dot_{len(short)}", real=True)
                 self.known[short[value]] = node
         self.short = tuple((letter, value) for value, letter in short.items())
 
@@ -77,7 +77,7 @@ class Letters:
         own = names(*self.statement.sides)
         resting: dict[Any, list[tuple[Symbol, Any]]] = {}
         for letter, value in self.short:
-            for other in value.free_symbols:
+            for other in sorted(value.free_symbols, key=str):
                 node = self.known.get(other)
                 if value.is_Add and isinstance(node, t.Name) and node.name not in own and self._moves(node):
                     resting.setdefault(other, []).append((letter, value))

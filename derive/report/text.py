@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from fractions import Fraction
 
 # Characters that are no ASCII, as LaTeX for mathematics.
 MATHS = {
@@ -23,15 +24,17 @@ ESCAPED = {
     "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "<": r"$<$", ">": r"$>$", "|": r"$|$", '"': r"''",
     "–": "--", "—": "---", "‘": "`", "’": "'", "“": "``", "”": "''",
 }  # fmt: skip
+SPELLED = {"epsilon": r"\varepsilon"}  # where the article takes another form of a letter
 ACCENTS = {"bar": r"\overline", "hat": r"\hat", "tilde": r"\tilde"}
 GREEK = {
     "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "mu", "nu", "xi", "sigma", "tau",
-    "phi", "chi", "psi", "omega", "ell", "varkappa", "vartheta", "varepsilon", "lambda", "rho",
+    "varsigma", "phi", "chi", "psi", "omega", "pi", "ell", "varkappa", "vartheta", "varepsilon", "lambda", "rho",
 }  # fmt: skip
-NAMES = re.compile(r"(\b[A-Za-z]+(?:_[A-Za-z0-9]+)+\b|(?<=[ =])-\d+\b|\b(?:" + "|".join(sorted(GREEK)) + r")\b)")
+NAMES = re.compile(r"(\b[^\W\d_]+(?:_[A-Za-z0-9]+)+\b|(?<=[ =])-\d+\b|\b(?:" + "|".join(sorted(GREEK)) + r")\b)")
 DIGITS = 8  # of a decimal number
 COMMENT = re.compile(r"(?<!\\)%[^\n]*")
 LEFT_OUT = re.compile(r"\\label\s*\{[^{}]*\}|\\(?:nonumber|notag)(?![A-Za-z])")
+ENVIRONMENT = re.compile(r"\\begin\{(\w+)\}.*?\\end\{\1\}")
 CLOSING = re.compile(r"(?:\\[,;:! ]|\\quad(?![A-Za-z])|\\qquad(?![A-Za-z])|[\s,;~]|(?<!\\right)\.)+$")
 
 
@@ -53,46 +56,70 @@ def _character(one: str) -> str:
 
 
 def symbol(name: str) -> str:
-    """A name of the theory, say ``xi_tip`` or ``gamma_bar``, as a formula; no other text is let through."""
+    """A name of the theory, say ``xi_tip``, ``gamma_bar`` or ``delta_q_1(s)``, as a formula; other text is escaped."""
+    if called := re.fullmatch(r"(\w+)\((\w+)\)", name):
+        return f"{symbol(called[1])}({symbol(called[2])})"
     if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", name):
         return rf"\text{{{text(name)}}}"
     base, *scripts = name.split("_")
-    letter = rf"\{base}" if base in GREEK else base if len(base) == 1 else rf"\mathrm{{{base}}}"
+    if base == "delta" and scripts:
+        return rf"\delta {symbol('_'.join(scripts))}"
+    letter = _letter(base)
     for accent, written in ACCENTS.items():
         if accent in scripts:
             scripts.remove(accent)
             letter = rf"{written}{{{letter}}}"
-    under = ", ".join(part if part.isdigit() or len(part) == 1 else rf"\mathrm{{{part}}}" for part in scripts if part)
+    under = " ".join(part if part.isdigit() else _letter(part) for part in scripts if part)
     return f"{letter}_{{{under}}}" if under else letter
+
+
+def _letter(word: str) -> str:
+    if word.lower() in GREEK:
+        return SPELLED.get(word, rf"\{word}")
+    return word if len(word) == 1 else rf"\mathrm{{{word}}}"
 
 
 def prose(said: str) -> str:
     """Text in which names of the theory, such as ``xi_tip``, and numbers with a minus are set as formulas."""
     parts = re.split(
-        r"(\b[A-Za-z]+(?:_[A-Za-z0-9]+)+\b|(?<=[ =])-\d+\b|\b(?:" + "|".join(sorted(GREEK)) + r")\b)", said
+        r"(\b[^\W\d_]+(?:_[A-Za-z0-9]+)+\b|(?<=[ =])-\d+\b|\b(?:" + "|".join(sorted(GREEK)) + r")\b)", said
     )
     return "".join(_named(part) if n % 2 else text(part) for n, part in enumerate(parts))
 
 
 def _named(part: str) -> str:
     """A number or the name of a letter as a formula; names made of words as words."""
-    base = part.split("_")[0]
+    base, _, script = part.partition("_")
     if part.startswith("-"):
         return f"${part}$"
+    if base in MATHS:
+        return f"${MATHS[base]}_{{{symbol(script)}}}$"
     return f"${symbol(part)}$" if base in GREEK or len(base) == 1 else text(part.replace("_", " "))
 
 
 def number(said: str) -> str:
-    """A number as text for a formula: a fraction as it stands, a decimal to a few digits; other text is escaped."""
+    """A number as text for a formula: as a decimal where that is exact and short; other text is escaped."""
     if re.fullmatch(r"-?\d+(?:/\d+)?", said):
-        return said
-    if found := re.fullmatch(r"(-?\d+\.\d*)(?:e([+-]?\d+))?", said):
-        short = f"{float(found[1]):.{DIGITS}g}"
-        return rf"{short} \cdot 10^{{{int(found[2])}}}" if found[2] else short
+        value = Fraction(said)
+        short = f"{float(value):.{DIGITS}g}"
+        return _decimal(short) if Fraction(short) == value else said
+    if re.fullmatch(r"-?\d+\.\d*(?:e[+-]?\d+)?", said):
+        return _decimal(f"{float(said):.{DIGITS}g}")
     return rf"\text{{{text(said)}}}"
 
 
+def _decimal(said: str) -> str:
+    mantissa, _, exponent = said.partition("e")
+    power = rf"10^{{{int(exponent)}}}" if exponent else ""
+    return (power if mantissa == "1" else rf"{mantissa} \cdot {power}") if exponent else mantissa
+
+
 def printed(latex: str) -> str:
-    """A printed display without its label, comments and closing punctuation, in one line of source."""
+    """A printed display without its label, comments and closing punctuation, in one line of source.
+
+    A part of an alignment, with its marks, gets an alignment of its own.
+    """
     found = LEFT_OUT.sub("", COMMENT.sub("", latex)).replace("{split}", "{aligned}")
-    return " ".join(CLOSING.sub("", found).split())
+    found = " ".join(CLOSING.sub("", found).split())
+    open_marks = re.search(r"&|\\\\", ENVIRONMENT.sub("", found))
+    return rf"\begin{{aligned}} {found} \end{{aligned}}" if open_marks else found
