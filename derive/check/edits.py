@@ -1,9 +1,10 @@
 """Small edits of a printed formula that may undo a misprint; nothing here knows what this article misprints.
 
-The order in which edits are tried: by kind, the likeliest misprints first; of a kind, exchanged symbols by their
-likeness; then those that give a part as the article prints it elsewhere; then those of other sides than the first,
-which names what is said to equal the others; then in printed order. Exchanged operands of × come even before signs if
-the article prints the exchanged product elsewhere, and the present one nowhere: −a × b and b × a say the same.
+The order in which edits are tried: those of a first side that is a symbol last, for it names what is said to equal the
+others; then by kind, the likeliest misprints first; of a kind, exchanged symbols by their likeness; then those that
+give a part as the article prints it elsewhere; then those of other sides than the first; then in printed order.
+Exchanged operands of × come even before signs if the article prints the product more often the other way round: −a × b
+and b × a say the same.
 """
 
 from __future__ import annotations
@@ -22,8 +23,8 @@ from derive.paper.conventions import scope as conventions_of
 
 # From the likeliest misprint on.
 KINDS = (
-    "order of factors", "sign", "argument", "bar", "prime", "index", "symbol", "number", "relation", "power", "root",
-    "operands", "transpose", "inverse", "variation", "bounds", "rows", "cases", "factor", "term", "either sign",
+    "order of factors", "sign", "argument", "bar", "prime", "index", "symbol", "number", "coefficient", "relation", "power",
+    "root", "operands", "transpose", "inverse", "variation", "bounds", "rows", "cases", "factor", "term", "either sign",
     "missing factor", "missing term", "order",
 )  # fmt: skip
 NUMBERS = tuple(map(t.Number, (2, 3, 4)))  # that may be missing as factors
@@ -74,7 +75,8 @@ def edits(statement: t.Statement, scope: str, sides: set[int] | None = None) -> 
         edited = edit.of(statement)
         if edited != statement and not _empty(edited):
             found.setdefault(edited, edit)
-    return sorted(found.values(), key=_rank)
+    named = isinstance(statement.sides[0], t.Name | t.Call | t.Primed)
+    return sorted(found.values(), key=lambda edit: (named and edit.side == 0, *_rank(edit)))
 
 
 def _rank(edit: Edit) -> tuple[int, ...]:
@@ -112,11 +114,10 @@ def _of_side(statement: t.Statement, n: int, scope: str) -> Iterator[Edit]:
 
 
 def _kind(kind: str, node: t.Node, new: t.Node) -> str:
-    """Exchanged operands are likeliest where the article prints the product only the other way round."""
-    if kind == "operands" and isinstance(node, t.Cross | t.Outer | t.Compose):
-        elsewhere = printed_parts()
-        if new in elsewhere and node not in elsewhere:
-            return "order of factors"
+    """Exchanged operands are likeliest where the article prints the product more often the other way round."""
+    ordered = kind == "operands" and isinstance(node, t.Cross | t.Outer | t.Compose)
+    if ordered and printed_parts()[new] > printed_parts()[node]:
+        return "order of factors"
     return kind
 
 
@@ -166,8 +167,10 @@ def _longer(node: t.Node, scope: str) -> Iterator[tuple[str, t.Node]]:
     if node.type not in (t.SCALAR, t.VECTOR, t.TENSOR) or isinstance(node, t.Signed | t.Number | t.BigO):
         return
     names = constants(scope)
-    yield from (("missing factor", _times(factor, node)) for factor in (*NUMBERS, *names))
-    yield from (("missing factor", t.Quotient(node, number)) for number in NUMBERS)
+    for number in NUMBERS:
+        yield "coefficient", _times(number, node)
+        yield "coefficient", t.Quotient(node, number)
+    yield from (("missing factor", _times(factor, node)) for factor in names)
     if isinstance(node, t.Sum) and node.type == t.SCALAR:
         for term in (t.Number(1), *names, *(t.Product((TWICE, name)) for name in names)):
             yield from (("missing term", t.Sum((*node.terms, signed))) for signed in (term, turned(term)))

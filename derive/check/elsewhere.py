@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from functools import cache
 
 from derive.paper import tree as t
@@ -11,16 +12,16 @@ from derive.paper.reader import parse
 
 
 @cache
-def printed_parts() -> frozenset[t.Node]:
-    """Everything that the ledger prints, down to single symbols."""
-    found: set[t.Node] = set()
+def printed_parts() -> Counter[t.Node]:
+    """Everything that the ledger prints, down to single symbols, with how often."""
+    found: Counter[t.Node] = Counter()
     for record in load_ledger().values():
         try:
             statements = parse(record.latex, str(record.scope)) if record.scope else []
         except ReadError:
             continue
-        found |= {node for statement in statements for side in statement.sides for node in side.walk()}
-    return frozenset(found)
+        found.update(node for statement in statements for side in statement.sides for node in side.walk())
+    return found
 
 
 @cache

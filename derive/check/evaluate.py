@@ -84,9 +84,9 @@ CONSTANTS: dict[sp.Expr, Callable[[], Any]] = {
 class _Walk:
     """One evaluation: the point, and the values found so far."""
 
-    def __init__(self, point: Point) -> None:
+    def __init__(self, point: Point, known: dict[sp.Expr, Any] | None = None) -> None:
         self.point = point
-        self.known: dict[sp.Expr, Any] = {}
+        self.known: dict[sp.Expr, Any] = {} if known is None else known
 
     def value(self, expr: sp.Expr) -> Any:
         """The finite value of an expression, computed once."""
@@ -181,15 +181,16 @@ class _Walk:
         return bool(tests[condition.rel_op])
 
 
-def evaluate(expr: Any, point: Point, digits: int = 50) -> Any:
+def evaluate(expr: Any, point: Point, digits: int = 50, known: dict[sp.Expr, Any] | None = None) -> Any:
     """The value (mpf or mpc) of an expression at a point, with about so many digits.
 
     The point maps symbols, applied undefined functions and their derivatives to exact numbers, or to expressions
-    in the others. Raises UndefinedError where there is no finite value.
+    in the others. known: values at this point, to these digits, from before; new ones are added. Raises UndefinedError
+    where there is no finite value.
     """
     with mp.workdps(digits + GUARD):
         try:
-            return _clean(_Walk(point).value(sp.sympify(expr, strict=True)), digits)
+            return _clean(_Walk(point, known).value(sp.sympify(expr, strict=True)), digits)
         except (ValueError, ZeroDivisionError, OverflowError, mpmath.libmp.NoConvergence) as error:
             raise UndefinedError(str(error)) from error
 

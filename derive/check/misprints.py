@@ -150,8 +150,9 @@ def _of_side(statement: t.Statement, n: int, scope: str) -> Iterator[tuple[str, 
     for path, node in positions(side):
         for change, new in own_changes(node, scope):
             other = isinstance(node, t.Signed) and isinstance(new, t.Signed)
-            fraction = change == "prime" and path and isinstance(at(side, path[:-1]), t.Derivative)
-            if not (vanishes and change in LESS) and not (alone and other) and not fraction:
+            within = at(side, path[:-1]) if path else None  # d ξ′/d ϰ and z(ξ′) are no slips of the pen
+            odd = change == "prime" and isinstance(within, t.Derivative | t.Call)
+            if not (vanishes and change in LESS) and not (alone and other) and not odd:
                 yield change, put(side, path, new)
     tends = n == 0 and statement.operators[0] == "->"  # −b → 0 says what b → 0 says
     plain = side.type in MATHS and not isinstance(side, t.Signed | t.BigO | t.Stack | t.Cases)

@@ -85,6 +85,7 @@ class Values:
         self.place, self.digits, self.special = place, digits, special
         self.reading = place.reading
         self.known: dict[Any, Value] = {}
+        self.evaluated: dict[Any, Any] = {}  # of SymPy's expressions
         own = type(self.reading)
         self.plain = {kind for kind, name in OPERATIONS.items() if getattr(own, name) is getattr(Components, name)}
 
@@ -148,7 +149,8 @@ class Values:
             raise UndefinedError("a part is infinite or undefined")
         entries = list(value) if isinstance(value, MatrixBase) else [value]
         self.place.sampler.extend(self.place.point, entries)
-        return [evaluate(entry, {**self.place.point, **self.special}, self.digits) for entry in entries]
+        here = {**self.place.point, **self.special}
+        return [evaluate(entry, here, self.digits, self.evaluated) for entry in entries]
 
     def parts(self, node: t.Node, indices: Indices) -> list[Value]:
         """The values of the parts of a node."""
