@@ -1,7 +1,8 @@
 """Small changes of a printed tree, by kind: what a slip of the pen makes of it.
 
 What a change makes is mostly false. Left alone is what says as much, or less, when it is changed: the variable of an
-integral or a limit, the order of O(…) but for a higher one, the order of the operands of · and of products of scalars.
+integral or a limit, the order of O(…) but for a higher one, the order of the operands of · and of products of scalars. A
+prime is added only to what the article prints with as many.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from derive.check.elsewhere import primed
 from derive.check.lookalikes import difference, ranked
 from derive.paper import tree as t
 from derive.paper.conventions import Scope
@@ -63,7 +65,7 @@ def own_changes(node: t.Node, scope: str) -> Iterator[Change]:
             yield "number", replace(node, value=value + 1)
         case t.Name():
             yield from _of_index(node, letters)
-            if letters.declared(node.name, node.index).argument:
+            if (node.name, 1) in primed():
                 yield "prime", t.Primed(node, 1)
         case t.Call():
             yield from _of_call(node, letters)
@@ -71,7 +73,8 @@ def own_changes(node: t.Node, scope: str) -> Iterator[Change]:
             yield from _of_row(node)
         case t.Primed(order=order, of=of):
             yield "prime", of if order == 1 else replace(node, order=order - 1)
-            yield "prime", replace(node, order=order + 1)
+            if isinstance(of, t.Name) and (of.name, order + 1) in primed():
+                yield "prime", replace(node, order=order + 1)
         case t.Cross(left=left, right=right) | t.Outer(left=left, right=right) | t.Compose(left=left, right=right):
             yield "operands", type(node)(right, left)
         case t.Quotient() | t.Power() | t.Root() | t.Transpose() | t.Derivative():
@@ -108,7 +111,7 @@ def _of_call(node: t.Call, letters: Scope) -> Iterator[Change]:
     yield from _of_index(node, letters)
     if node.primes:
         yield "prime", replace(node, primes=node.primes - 1)
-    if mine.kind == "function" and not mine.prefix:
+    if (node.name, node.primes + 1) in primed():
         yield "prime", replace(node, primes=node.primes + 1)
     if mine.argument and len(node.args) == 1:
         arcs = [t.Name(one.name, one.kind) for one in letters.by_name.values() if one.sort == mine.argument]

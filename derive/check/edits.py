@@ -14,13 +14,11 @@ from functools import cache
 from itertools import chain
 
 from derive.check.changes import Path, at, exchanges, own_changes, positions, put, turned
+from derive.check.elsewhere import printed_parts
 from derive.check.misprints import relations, with_side
 from derive.paper import tree as t
 from derive.paper.conventions import Declared, Scope
 from derive.paper.conventions import scope as conventions_of
-from derive.paper.errors import ReadError
-from derive.paper.ledger import load_ledger
-from derive.paper.reader import parse
 
 # From the likeliest misprint on.
 KINDS = (
@@ -81,19 +79,6 @@ def edits(statement: t.Statement, scope: str, sides: set[int] | None = None) -> 
 
 def _rank(edit: Edit) -> tuple[int, ...]:
     return KINDS.index(edit.kind), edit.likeness, edit.new not in printed_parts(), edit.side == 0
-
-
-@cache
-def printed_parts() -> frozenset[t.Node]:
-    """Everything that the ledger prints, down to single symbols."""
-    found: set[t.Node] = set()
-    for record in load_ledger().values():
-        try:
-            statements = parse(record.latex, str(record.scope)) if record.scope else []
-        except ReadError:
-            continue
-        found |= {node for statement in statements for side in statement.sides for node in side.walk()}
-    return frozenset(found)
 
 
 def _empty(statement: t.Statement) -> bool:

@@ -2,7 +2,7 @@
 
 - ``A = B``: equality. If a side holds what accumulates along the rod (y, z, or an indefinite integral), the rates along
   the rod must be equal, and, unless a constant is left open, the values at the clamp.
-- ``A = B + O(εⁿ)``: the difference of the two is of that order.
+- ``A = B + O(εⁿ)``: the difference of the two is of that order; what A itself leaves open is any quantity of its order.
 - ``A < B``, ``A ≤ B`` and the like: a sign, everywhere in the domain.
 - ``x ∈ [A, B]``, ``x ∉ ]A, B[``: signs; and the ends are those of the values that x can take.
 """
@@ -70,9 +70,15 @@ def membership(
         yield f"{name} end of a range", Equal(reading.frontier(value, end), 0)
 
 
+def orders_in(sides: tuple[t.Node, ...]) -> list[t.BigO]:
+    """The O(εⁿ) of the right side, or else those of the left: what is O(ε²) is not O(ε³)."""
+    found = ([node for node in side.walk() if isinstance(node, t.BigO)] for side in reversed(sides))
+    return next((some for some in found if some), [])
+
+
 def orders(sides: tuple[t.Node, ...], reading: Components, indices: Indices) -> list[int]:
-    """The powers of the small parameter in the O(εⁿ) of two sides, and the one that the text drops."""
-    found = [node for side in sides for node in side.walk() if isinstance(node, t.BigO)]
+    """The powers of the small parameter in the O(εⁿ) that count, and the one that the text drops."""
+    found = orders_in(sides)
     if found and reading.small is None:
         raise MeaningError(f"O(…) has no meaning where the formula is read ({reading.title})")
     factors = [reading.of(node.of, indices).as_coeff_exponent(reading.small) for node in found]

@@ -19,6 +19,7 @@ from derive.check.pairs import NONSENSE, pairs
 from derive.check.report import StatementVerdict
 from derive.check.statements import judge_statement
 from derive.check.suspects import suspects
+from derive.check.timing import TimeLimit, limited
 from derive.check.verdicts import DEFINITION, PROVED, REFUTED, Verdict
 from derive.paper import tree as t
 from derive.paper.errors import ReadError
@@ -27,7 +28,7 @@ from derive.paper.printer import to_latex
 from derive.paper.reader import parse
 from derive.theory.claims import Claim
 
-SECONDS = 30.0  # for one statement
+SECONDS = 30.0  # of the processor, for one statement
 CLAIM_SECONDS = 5.0  # for one claim of one candidate
 CANDIDATES = 20_000  # of one statement
 SLOW = 40  # candidates that withstood the bench and were not proved
@@ -79,10 +80,10 @@ def repair(
     seconds: float = SECONDS,
 ) -> Repair | None:
     """The first candidate that is proved, or None if there is none or the time is up."""
-    end, scope = time.monotonic() + seconds, str(record.scope)
+    end, scope = time.process_time() + seconds, str(record.scope)
     bench, slow = Bench(theory, scope, given), 0
     for tried, (names, candidate) in enumerate(_candidates(bench, statement, scope), start=1):
-        if time.monotonic() > end or tried > CANDIDATES or slow > SLOW:
+        if time.process_time() > end or tried > CANDIDATES or slow > SLOW:
             return None
         if _fails(bench, candidate):
             continue
@@ -124,8 +125,9 @@ def _suspects(bench: Bench, statement: t.Statement) -> set[int]:
 def _fails(bench: Bench, candidate: t.Statement) -> bool:
     """Does it fail at a point, or make nonsense?"""
     try:
-        return bench.counterexample(candidate) is not None
-    except NONSENSE:
+        with limited(CLAIM_SECONDS):
+            return bench.counterexample(candidate) is not None
+    except (*NONSENSE, TimeLimit):
         return True
 
 

@@ -15,6 +15,8 @@ from derive.check.report import FormulaVerdict
 from derive.check.trial import EQUIVALENT, ILL_TYPED, KILLED, MEANINGLESS, SURVIVING, Fate, Trial
 from derive.check.verdicts import AGREED, CERTIFIED, DEFINITION, PROVED
 from derive.paper.ledger import Record
+from derive.paper.printer import to_latex
+from derive.paper.reader import parse
 from derive.theory.claims import Claim
 
 FATES = (KILLED, ILL_TYPED, EQUIVALENT, SURVIVING, MEANINGLESS)
@@ -53,10 +55,11 @@ def of_formula(theory: Any, record: Record) -> list[dict[str, Any]]:
 
 def mended(record: Record, verdict: FormulaVerdict) -> tuple[Record | None, list[str]]:
     """The formula with repairs for what is refuted (None if it was not read), and what has no sound form."""
-    parts = [s.repair["latex"] if s.repair else s.printed for s in verdict.statements]
-    unsound = [s.printed for s in verdict.statements if not s.repair and s.verdict not in HOLD]
-    if not parts:
+    if not verdict.statements:
         return None, [record.latex]
+    printed = [to_latex(statement, str(record.scope)) for statement in parse(record.latex, str(record.scope))]
+    parts = [s.repair["latex"] if s.repair else latex for s, latex in zip(verdict.statements, printed, strict=True)]
+    unsound = [s.printed for s in verdict.statements if not s.repair and s.verdict not in HOLD]
     return replace(record, latex=r" \,, \qquad ".join(parts)), unsound
 
 

@@ -19,13 +19,14 @@ from derive.check.misprints import NEAREST, Mutant, Mutants
 from derive.check.report import StatementVerdict
 from derive.check.same import same_meaning
 from derive.check.statements import judge_statement
+from derive.check.timing import TimeLimit, limited
 from derive.check.verdicts import DEFINITION, PROVED, REFUTED, UNKNOWN, Verdict
 from derive.paper import tree as t
 from derive.paper.ledger import Record
 from derive.paper.reader import parse
 from derive.theory.claims import Claim
 
-SECONDS = 10.0  # for one claim of a mutant
+SECONDS = 5.0  # for one claim of a mutant
 ILL_TYPED, KILLED, EQUIVALENT, SURVIVING, MEANINGLESS = "ill-typed", "killed", "equivalent", "surviving", "meaningless"
 NONSENSE = (ArithmeticError, TypeError, NotImplementedError)  # SymPy's answers to what makes no sense
 
@@ -62,8 +63,9 @@ class Trial:
     def _stands(self, statement: t.Statement) -> bool:
         """Does the original pass the bench? If not, its mutants are judged without it."""
         try:
-            return self.bench.counterexample(statement) is None
-        except (ValueError, *NONSENSE):
+            with limited(SECONDS):
+                return self.bench.counterexample(statement) is None
+        except (ValueError, TimeLimit, *NONSENSE):
             return False
 
     def fates(self) -> Iterator[Fate]:
@@ -89,10 +91,14 @@ class Trial:
             return Fate(mutant, ILL_TYPED, "", mutant.reason)
         if mutant.number in self.sound:
             try:
-                if self.bench.counterexample(mutant.statement):
+                with limited(SECONDS):
+                    found = self.bench.counterexample(mutant.statement)
+                if found:
                     return Fate(mutant, KILLED, REFUTED)
             except (ValueError, *NONSENSE) as reason:
                 return Fate(mutant, MEANINGLESS, UNKNOWN, str(reason))
+            except TimeLimit:
+                pass  # the judge has limits of its own
         verdict = self._judged(mutant.number, mutant.statement)
         if verdict.verdict == REFUTED:
             return Fate(mutant, KILLED, REFUTED)

@@ -18,6 +18,7 @@ from sympy import MatrixBase, nan, oo, sympify, zoo
 
 from derive.check.components import Value, cross, dot, each, flat, norm, outer, summed
 from derive.check.evaluate import GUARD, UndefinedError, evaluate
+from derive.check.leibniz import expanded
 from derive.check.meaning import Components, MeaningError, pm
 from derive.check.sample import ExactPoint, Sampler
 from derive.paper import tree as t
@@ -109,6 +110,9 @@ class Values:
             return max(abs(x) for term in terms for x in flat(self.part(term, indices)))
 
     def _computed(self, node: t.Node, indices: Indices) -> Value:
+        longer = expanded(node)
+        if longer is not None:
+            return self.part(longer, indices)
         spread = self.reading.spread(node)
         if spread is not None:
             factor, of = self._numbers(spread[0])[0], self.part(spread[1], indices)

@@ -36,7 +36,8 @@ class Framed(Components):
     state: what holds where the formula is read, put into the values at the end, so that it may be a law that a
     derivative or a variation does not keep. units: unit vectors; a multiple of one has the modulus of its factor.
     at_ends: what some functions are at 0 and at ℓ. laws: read only relations with 0 on a side, which are laws (True),
-    or only the others (False), or all (None).
+    or only the others (False), or all (None). turns: the parameters of rotations; what is made of them alone is
+    brought to lowest terms when it varies.
     """
 
     title: str
@@ -50,6 +51,7 @@ class Framed(Components):
     units: Sequence[Any] = ()
     at_ends: Mapping[Expr, Mapping[Expr, Expr]] = field(default_factory=dict)
     laws: bool | None = None
+    turns: Sequence[Expr] = ()
     known: dict[Any, Any] = field(default_factory=dict, compare=False, repr=False)
 
     def of(self, node: t.Node, indices: Indices = NONE) -> Any:
@@ -116,6 +118,11 @@ class Framed(Components):
         return along(of, self.kappa, self.rates)
 
     def _vary(self, of: Any) -> Any:
+        if isinstance(of, MatrixBase) and of.atoms(AppliedUndef) <= set(self.turns):
+            return self._changed(of.applyfunc(cancel)).applyfunc(cancel)
+        return self._changed(of)
+
+    def _changed(self, of: Any) -> Any:
         small = Dummy()
         moved = {}
         for atom in of.atoms(AppliedUndef, Derivative):

@@ -78,6 +78,7 @@ def _reading(balance: Balance, title: str, state: State, *, laws: bool, held: bo
         TURN,
         state,
         units=[DIRECTION],
+        turns=list(OTHER.parameters),
         laws=laws,
         held=held,
     )
