@@ -18,7 +18,8 @@ from derive.runner import Runner
 from derive.stages import Task
 
 NEAR = 3  # labels named when one is not known
-MISSING = "it is in the ledger; this source does not have it, or prints something else there"
+MISSING = "it is in the ledger, but not in this source"
+NOT_PRINTED = f"{MISSING}: not all of the inline formulas that it rests on are printed there"
 HERE = (Path(__file__).resolve(),)
 
 
@@ -107,9 +108,10 @@ def _hint(name: str, found: Printed, known: Sequence[str]) -> str:
 
 def unread(name: str) -> dict[str, Any]:
     """The verdict on a formula that is not there."""
-    printed = load_claims()[name].printed if name in load_claims() else load_ledger()[name].latex
+    claim = load_claims().get(name)
+    printed, reason = (claim.printed, NOT_PRINTED) if claim else (load_ledger()[name].latex, MISSING)
     said = {"verdict": "UNREAD", "printed": printed, "method": "none", "counterexample": None, "repair": None}
-    return {"id": name, "line": 0, **said, "reason": MISSING, "seconds": 0.0, "statements": []}
+    return {"id": name, "line": 0, **said, "reason": reason, "seconds": 0.0, "statements": []}
 
 
 def run_mutants(options: argparse.Namespace, found: Printed) -> int:
@@ -160,6 +162,6 @@ def formula_mutants(record: dict[str, Any]) -> list[dict[str, Any]]:
 
 def text_mutants(claim: dict[str, Any]) -> list[dict[str, Any]]:
     """The fates of the mutants of one claim of the running text."""
-    from derive.check.survival import of_text
+    from derive.check.text.survival import of_text
 
     return of_text(stages.theory(), from_json(claim))

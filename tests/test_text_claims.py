@@ -8,9 +8,9 @@ from types import SimpleNamespace
 
 import pytest
 
-from derive.check.survival import of_text
 from derive.check.text import examples
 from derive.check.text.judge import FORMS, judge_text, mended, variants
+from derive.check.text.survival import of_text
 from derive.check.verdicts import CERTIFIED, PROVED, REFUTED, UNREAD
 from derive.cli import main
 from derive.paper.text_claims import FORMULA, TextClaim, claims_of, from_json, load_claims

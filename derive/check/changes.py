@@ -1,7 +1,7 @@
 """Small changes of a printed tree, by kind: what a slip of the pen makes of it.
 
 What a change makes is mostly false. Left alone is what says as much, or less, when it is changed: the variable of an
-integral or a limit, the order of O(…) but for a higher one, the order of the operands of · and of products of scalars. A
+integral or a limit, the order of O(…) but for a higher one, the operands of · and of products of scalars. A
 prime is added only to what the article prints with as many.
 """
 
@@ -65,7 +65,7 @@ def own_changes(node: t.Node, scope: str) -> Iterator[Change]:
             yield "number", replace(node, value=value + 1)
         case t.Name():
             yield from _of_index(node, letters)
-            if (node.name, 1) in primed():
+            if (node.name, 1) in primed(t.Name):
                 yield "prime", t.Primed(node, 1)
         case t.Call():
             yield from _of_call(node, letters)
@@ -73,11 +73,11 @@ def own_changes(node: t.Node, scope: str) -> Iterator[Change]:
             yield from _of_row(node)
         case t.Primed(order=order, of=of):
             yield "prime", of if order == 1 else replace(node, order=order - 1)
-            if isinstance(of, t.Name) and (of.name, order + 1) in primed():
+            if isinstance(of, t.Name) and (of.name, order + 1) in primed(t.Name):
                 yield "prime", replace(node, order=order + 1)
         case t.Cross(left=left, right=right) | t.Outer(left=left, right=right) | t.Compose(left=left, right=right):
             yield "operands", type(node)(right, left)
-        case t.Quotient() | t.Power() | t.Root() | t.Transpose() | t.Derivative():
+        case t.Quotient() | t.Power() | t.Root() | t.Transpose():
             yield from _of_operation(node)
         case t.Varied(of=of):
             yield "variation", of
@@ -111,7 +111,7 @@ def _of_call(node: t.Call, letters: Scope) -> Iterator[Change]:
     yield from _of_index(node, letters)
     if node.primes:
         yield "prime", replace(node, primes=node.primes - 1)
-    if (node.name, node.primes + 1) in primed():
+    if (node.name, node.primes + 1) in primed(t.Call):
         yield "prime", replace(node, primes=node.primes + 1)
     if mine.argument and len(node.args) == 1:
         arcs = [t.Name(one.name, one.kind) for one in letters.by_name.values() if one.sort == mine.argument]
@@ -154,8 +154,6 @@ def _of_operation(node: t.Node) -> Iterator[Change]:
             yield "root", of
         case t.Transpose(of=of):
             yield "transpose", of
-        case t.Derivative(of=of, by=by) if of.type == by.type:
-            yield "operands", replace(node, of=by, by=of)
 
 
 def _of_range(node: t.Node) -> Iterator[Change]:

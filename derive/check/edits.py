@@ -138,6 +138,11 @@ def _of_name(node: t.Name, letters: Scope) -> Iterator[tuple[str, t.Node]]:
             yield "argument", t.Call(node.name, (arc,), 0, node.kind, node.index)
     if node.type == t.SCALAR:
         yield "power", t.Power(node, TWICE)
+    if node.index:
+        members = (f"{node.name}_{value}" for value in t.LATIN)
+        yield from (("index", replace(node, name=name, index="")) for name in members if name in letters.by_name)
+        letters_ = (letter for name, letter in letters.by_letter if name == node.name)
+        yield from (("index", replace(node, index=letter)) for letter in letters_)
 
 
 def _of_call(node: t.Call, letters: Scope) -> Iterator[tuple[str, t.Node]]:

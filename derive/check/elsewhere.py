@@ -24,10 +24,9 @@ def printed_parts() -> frozenset[t.Node]:
 
 
 @cache
-def primed() -> frozenset[tuple[str, int]]:
-    """The symbols that are printed with primes, each with the number of them."""
-    return frozenset(
-        (node.of.name, node.order)
-        for node in printed_parts()
-        if isinstance(node, t.Primed) and isinstance(node.of, t.Name | t.Call)
-    ) | frozenset((node.name, node.primes) for node in printed_parts() if isinstance(node, t.Call))
+def primed(kind: type[t.Name | t.Call]) -> frozenset[tuple[str, int]]:
+    """The names, or the functions at arguments, that are printed with primes, each with the number of them."""
+    if kind is t.Call:
+        return frozenset((node.name, node.primes) for node in printed_parts() if isinstance(node, t.Call))
+    named = (node for node in printed_parts() if isinstance(node, t.Primed))
+    return frozenset((node.of.name, node.order) for node in named if isinstance(node.of, t.Name))

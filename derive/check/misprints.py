@@ -1,9 +1,9 @@
 """Wrong variants of printed formulas: one small change of the printed tree at a time.
 
 A checker must be seen to fail. No mutant is made that would state less than the original and be true for that: of what
-is only compared by size nothing is changed but the relation; of what tends to a limit, not the sign; of a single term
-that is said to be 0, not the powers, primes and indices. An exchanged symbol is one of its type: the nearest two in
-spelling or in the order of the conventions with which the statement has a meaning.
+is only compared by size or order nothing is changed but the relation, or the order; of what tends to a limit, not the
+sign; of a single term that is said to be 0, not the powers, primes and indices. An exchanged symbol is one of its type:
+the nearest two in spelling or in the order of the conventions with which the statement has a meaning.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from derive.check.changes import OTHER_SIGN, TURNED, exchanges, own_changes, positions, put
+from derive.check.changes import OTHER_SIGN, TURNED, at, exchanges, own_changes, positions, put
 from derive.paper import tree as t
 from derive.paper.errors import ReadError
 from derive.paper.ledger import Record
@@ -134,8 +134,13 @@ def _either(statement: t.Statement) -> Iterator[t.Node]:
 
 
 def _free(statement: t.Statement, n: int) -> bool:
-    """May a side be changed? Not if it is only compared by size: half the changes would say less."""
-    return bool(set(statement.operators[max(n - 1, 0) : n + 1]) & EQUALITIES)
+    """May a side be changed? Not if it is only compared by size or order: half the changes would say less."""
+    side, beside = statement.sides[n], [k for k in (n - 1, n) if 0 <= k < len(statement.operators)]
+    others = {k: statement.sides[k + 1 if k == n else k] for k in beside}
+    return any(
+        statement.operators[k] in EQUALITIES and (isinstance(side, t.BigO) or not isinstance(other, t.BigO))
+        for k, other in others.items()
+    )
 
 
 def _of_side(statement: t.Statement, n: int, scope: str) -> Iterator[tuple[str, t.Node]]:
@@ -145,7 +150,8 @@ def _of_side(statement: t.Statement, n: int, scope: str) -> Iterator[tuple[str, 
     for path, node in positions(side):
         for change, new in own_changes(node, scope):
             other = isinstance(node, t.Signed) and isinstance(new, t.Signed)
-            if not (vanishes and change in LESS) and not (alone and other):
+            fraction = change == "prime" and path and isinstance(at(side, path[:-1]), t.Derivative)
+            if not (vanishes and change in LESS) and not (alone and other) and not fraction:
                 yield change, put(side, path, new)
     tends = n == 0 and statement.operators[0] == "->"  # −b → 0 says what b → 0 says
     plain = side.type in MATHS and not isinstance(side, t.Signed | t.BigO | t.Stack | t.Cases)

@@ -14,6 +14,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from mpmath import mp
+from sympy import Rational
 
 from derive.check.bench import DIGITS, Bench
 from derive.check.changes import Path, positions, put
@@ -23,8 +24,9 @@ from derive.check.misprints import with_side
 from derive.check.values import Indices, Place
 from derive.paper import tree as t
 
-CLOSE = mp.mpf(10) ** -12  # relative difference of amounts that are the same
-NONSENSE = (ValueError, ArithmeticError, TypeError, NotImplementedError)
+CLOSE = mp.mpf(10) ** -9  # of the difference to be undone: how far amounts may miss it
+SMALL = Rational(1, 10**20)  # a small parameter, so small that only the leading orders count
+NONSENSE = (ValueError, ArithmeticError, LookupError, TypeError, NotImplementedError)
 
 
 def pairs(bench: Bench, statement: t.Statement, once: Sequence[Edit]) -> list[tuple[Edit, Edit]]:
@@ -54,7 +56,10 @@ class _Amounts:
 
     def __init__(self, statement: t.Statement, n: int, place: Place, indices: Indices, once: Sequence[Edit]) -> None:
         self.statement, self.n, self.once = statement, n, once
-        self.values, self.indices = place.values(DIGITS), indices
+        sides = statement.sides[n : n + 2]
+        small = place.reading.within is not None or any(isinstance(x, t.BigO) for side in sides for x in side.walk())
+        self.values = place.values(3 * DIGITS, 1, SMALL) if small else place.values(DIGITS)
+        self.indices = indices
         self.weights = [mp.mpf(x) for x in random.Random(5).sample(range(1000, 9999), 9)]
         self.gap = self._gap(statement)
         self.amounts: dict[int, Any] = {}
@@ -65,12 +70,14 @@ class _Amounts:
 
     def _gap(self, statement: t.Statement) -> Any:
         left, right = (self.values.of(side, self.indices) for side in statement.sides[self.n : self.n + 2])
-        gaps = flat(each(lambda a, b: a - b, left, right))
-        return mp.fsum(weight * gap for weight, gap in zip(self.weights, gaps, strict=False))
+        with mp.workdps(self.values.digits):
+            gaps = flat(each(lambda a, b: a - b, left, right))
+            return mp.fsum(weight * gap for weight, gap in zip(self.weights, gaps, strict=False))
 
     def _amount(self, changed: t.Statement) -> Any:
         try:
-            return self._gap(changed) - self.gap
+            with mp.workdps(self.values.digits):
+                return self._gap(changed) - self.gap
         except NONSENSE:
             return None
 
@@ -81,7 +88,12 @@ class _Amounts:
 
     def pairs(self) -> Iterator[tuple[int, int]]:
         """Numbers of edits that together undo the difference."""
-        yield from _matching(self.amounts, lambda amount: -self.gap - amount)
+        with mp.workdps(self.values.digits):
+            yield from self._pairs()
+
+    def _pairs(self) -> Iterator[tuple[int, int]]:
+        close = CLOSE * abs(self.gap)
+        yield from _matching(self.amounts, lambda amount: -self.gap - amount, close)
         for side, path, dropped in self._terms():
             size = -dropped
             if size == 0:
@@ -92,9 +104,8 @@ class _Amounts:
                 if self.once[k].side == side and self.once[k].path[: len(path)] == path
             }
             wanted = 1 - self.gap / size
-            yield from _matching(
-                {k: r for k, r in inside.items() if r != 0}, lambda ratio, wanted=wanted: wanted / ratio
-            )
+            ratios = {k: ratio for k, ratio in inside.items() if ratio != 0}
+            yield from _matching(ratios, lambda ratio, wanted=wanted: wanted / ratio, close / abs(size))
 
     def _terms(self) -> Iterator[tuple[int, Path, Any]]:
         """Whole sides and terms of sums, with what the difference loses when they are 0."""
@@ -115,15 +126,15 @@ class _Amounts:
         """What the difference loses without a side."""
         whole = flat(self.values.of(side, self.indices))
         sign = -1 if n == self.n else 1
-        return sign * mp.fsum(weight * x for weight, x in zip(self.weights, whole, strict=False))
+        with mp.workdps(self.values.digits):
+            return sign * mp.fsum(weight * x for weight, x in zip(self.weights, whole, strict=False))
 
 
-def _matching(known: dict[int, Any], wanted: Any) -> Iterator[tuple[int, int]]:
-    """Pairs of keys where the second value is what the first wants."""
+def _matching(known: dict[int, Any], wanted: Any, close: Any) -> Iterator[tuple[int, int]]:
+    """Pairs of keys where the second value is, closely, what the first wants."""
     real = {k: mp.re(value) for k, value in known.items()}
     order = sorted(real, key=lambda k: real[k])
     values = [real[k] for k in order]
-    close = CLOSE * max(map(abs, values), default=mp.mpf(0))
     for k, value in known.items():
         target = mp.re(wanted(value))
         start = bisect_left(values, target - close)

@@ -144,7 +144,7 @@ def _proved(
 
     try:
         verdict = judge_statement(theory, record, number, candidate, given, decide).verdict
-    except (_UnprovedError, ArithmeticError, TypeError, NotImplementedError):
+    except (_UnprovedError, ArithmeticError, LookupError, TypeError, NotImplementedError):
         return None  # an edit may well make nonsense
     return str(verdict) if verdict in (PROVED, DEFINITION) else None
 

@@ -8,12 +8,12 @@ from typing import Any
 
 from sympy import Integer, MatrixBase
 
+from derive.check.asserted import limit_of
 from derive.check.branches import Branch, branches, index_values, mapped
 from derive.check.judge import judge
 from derive.check.meaning import Components, pm
 from derive.check.readings import readings
 from derive.check.relations import orders
-from derive.check.statements import limit_of
 from derive.check.verdicts import PROVED
 from derive.paper import tree as t
 from derive.paper.symbolic import Indices

@@ -28,7 +28,7 @@ from derive.theory.claims import Claim
 
 SECONDS = 5.0  # for one claim of a mutant
 ILL_TYPED, KILLED, EQUIVALENT, SURVIVING, MEANINGLESS = "ill-typed", "killed", "equivalent", "surviving", "meaningless"
-NONSENSE = (ArithmeticError, TypeError, NotImplementedError)  # SymPy's answers to what makes no sense
+NONSENSE = (ArithmeticError, LookupError, TypeError, NotImplementedError)  # SymPy's answers to what makes no sense
 
 
 @dataclass(frozen=True)

@@ -150,16 +150,16 @@ def _bounds(claim: TextClaim, corners: list[Expr], value: Expr) -> Iterator[tupl
 
 
 def _conditions(claim: TextClaim) -> Variants:
-    """Opposite conditions. Where ξ must go in a given sense, only that one is turned: the others may be idle then."""
+    """The opposite condition: of the sense, else of the clamp, else of the roots; the others may be idle beside it."""
     if "towards" in claim.data:
         yield "condition", claim.but(towards="increasing" if claim.data["towards"] == "decreasing" else "decreasing")
-        return
-    for n, (left, relation, right) in enumerate(claim.data.get("when", [])):
-        when = claim.data["when"]
-        yield "condition", claim.but(when=[*when[:n], [left, RELATIONS[relation], right], *when[n + 1 :]])
-    if "clamp" in claim.data:
+    elif "clamp" in claim.data:
         side, root = claim.data["clamp"]
         yield "condition", claim.but(clamp=["above" if side == "below" else "below", root])
+    else:
+        when = claim.data.get("when", [])
+        for n, (left, relation, right) in enumerate(when):
+            yield "condition", claim.but(when=[*when[:n], [left, RELATIONS[relation], right], *when[n + 1 :]])
 
 
 def vary_start(claim: TextClaim) -> Variants:

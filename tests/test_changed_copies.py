@@ -1,0 +1,160 @@
+"""A source in which one formula was changed by hand: exactly that is refuted, and its repair is what was printed."""
+
+from __future__ import annotations
+
+import json
+import os
+import random
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from derive import stages
+from derive.check.misprints import Mutants
+from derive.check.printed import judge_formula
+from derive.check.repair import repair
+from derive.check.same import same_meaning
+from derive.check.trial import KILLED, Trial
+from derive.check.verdicts import DEFINITION, PROVED, REFUTED
+from derive.cli import main
+from derive.paper.ledger import Record, compare, from_source, load_ledger
+from derive.paper.reader import parse
+
+LEDGER = load_ledger()
+CHANGES = [
+    ("exsl21", "g_3 = -", "g_3 =", "sign"),
+    ("exhpf15", r"2 b \zeta v", r"b \zeta v", "missing factor"),
+    ("elmr8", r"\boldsymbol{d}_3 \times \boldsymbol{e}", r"\boldsymbol{e} \times \boldsymbol{d}_3", "order of factors"),
+    ("exhpf2", r"(\overline{\gamma} + \eta)", r"(\gamma + \eta)", "bar"),
+    ("exhpf15", r"^{\varsigma =s}", r"^{\varsigma =\ell}", "symbol"),
+]
+# Formulas that do not hold as they are printed: what is changed to make them hold.
+MISPRINTS = [
+    ("slch5", ["argument"]),
+    ("elmr7", ["sign"]),
+    ("kth20b", ["sign"]),
+    ("exsl35", ["sign"]),
+    ("slch12", ["symbol"]),
+    ("exhpf19", ["bar"]),
+]
+RANDOM = 24  # changes of the sweep
+
+
+@pytest.fixture(scope="module")
+def theory():
+    return stages.theory()
+
+
+def shown(record: Record, latex: str = "") -> str:
+    return f"\\begin{{equation}} \\label{{{record.id}}}\n{latex or record.latex}\n\\end{{equation}}\n"
+
+
+def source(**changed: str) -> str:
+    """All displays of the ledger as a LaTeX text, some of them changed."""
+    return "Text.\n" + "".join(shown(record, changed.get(record.id, "")) for record in LEDGER.values())
+
+
+def changed_copy(label: str, old: str, new: str) -> str:
+    assert LEDGER[label].latex.count(old) >= 1
+    return LEDGER[label].latex.replace(old, new, 1)
+
+
+def beside(label: str) -> list[str]:
+    """The display and those before and after it."""
+    labels = list(LEDGER)
+    place = labels.index(label)
+    return labels[max(place - 1, 0) : place + 2]
+
+
+@pytest.mark.parametrize(("label", "old", "new", "edit"), CHANGES)
+def test_a_change_by_hand_is_refuted_and_undone(theory, label, old, new, edit):
+    text = source(**{label: changed_copy(label, old, new)})
+    there = from_source(text)
+    assert [difference.id for difference in compare(LEDGER, text)] == [label]
+    verdicts = {name: judge_formula(theory, there[name], mend=name == label) for name in beside(label)}
+    assert [name for name, verdict in verdicts.items() if verdict.verdict == REFUTED] == [label]
+    verdict = verdicts[label]
+    assert verdict.counterexample
+    assert verdict.repair["edits"] == [edit]
+    assert verdict.repair["tried"] > 0
+    (number,) = (n for n, one in enumerate(verdict.statements) if one.verdict == REFUTED)
+    assert parse(verdict.repair["latex"], there[label].scope) == [
+        parse(LEDGER[label].latex, there[label].scope)[number]
+    ]
+
+
+@pytest.mark.parametrize(("label", "edits"), MISPRINTS)
+def test_a_misprint_of_the_article_is_found_and_mended(theory, label, edits):
+    verdict = judge_formula(theory, LEDGER[label], mend=True)
+    assert verdict.verdict == REFUTED
+    assert verdict.counterexample
+    assert verdict.repair["edits"] == edits
+
+
+def test_a_missing_factor_and_exchanged_operands_are_mended_together(theory):
+    verdict = judge_formula(theory, LEDGER["elmr9"], mend=True)
+    assert verdict.verdict == REFUTED
+    assert len(verdict.repair["edits"]) == 2
+    assert "missing factor" in verdict.repair["edits"]
+    assert r"\tilde{\eta}" in verdict.repair["latex"]
+
+
+def holding(theory) -> list[Record]:
+    """Formulas that hold, of all sections, in random order."""
+    labels = sorted(LEDGER)
+    random.Random(3).shuffle(labels)
+    return [LEDGER[label] for label in labels]
+
+
+@pytest.mark.long
+def test_random_changes_are_refuted_and_undone(theory):
+    draw, done = random.Random(7), 0
+    for record in holding(theory):
+        original = judge_formula(theory, record)
+        numbers = {n for n, one in enumerate(original.statements) if one.verdict in (PROVED, DEFINITION)}
+        made = [one for one in Mutants(record).changed() if one.number in numbers]
+        trial = Trial(theory, record, numbers)
+        if not made or trial.fate(mutant := draw.choice(made)).fate != KILLED:
+            continue
+        scope, printed = str(record.scope), parse(record.latex, str(record.scope))
+        found = repair(theory, replace(record, latex=mutant.latex), mutant.number, mutant.statement, trial.given)
+        assert found is not None, f"{record.id}: {mutant.latex}"
+        (mended,) = parse(found.latex, scope)
+        same = mended == printed[mutant.number]
+        assert same or same_meaning(theory, scope, printed[mutant.number], mended, trial.given), found.latex
+        done += 1
+        if done == RANDOM:
+            break
+    assert done == RANDOM
+
+
+def article() -> Path | None:
+    named = os.environ.get("DERIVE_PAPER")
+    folder = Path(__file__).resolve().parents[2] / "shared" / "paper"
+    return Path(named) if named else next(iter(sorted(folder.glob("*.txt"))), None)
+
+
+def texts() -> list[str]:
+    """The ledger as a source, and the article's own where it lies beside the repository."""
+    path = article()
+    return [source(), *([path.read_text(encoding="utf-8")] if path else [])]
+
+
+@pytest.mark.long
+@pytest.mark.parametrize(("label", "old", "new", "edit"), CHANGES)
+def test_the_whole_copy(tmp_path, label, old, new, edit):
+    for text in texts():
+        printed = from_source(text)[label].latex
+        assert printed.count(old) >= 1
+        refuted = []
+        for n, copy in enumerate((text, text.replace(printed, printed.replace(old, new, 1)))):
+            path, result = tmp_path / f"{n}.tex", tmp_path / f"{n}.json"
+            path.write_text(copy, encoding="utf-8")
+            main(["check", "--paper", str(path), "--json", str(result)])
+            formulas = {one["id"]: one for one in json.loads(result.read_text())["formulas"]}
+            refuted.append({name for name, one in formulas.items() if one["verdict"] == "REFUTED"})
+        assert refuted[1] - refuted[0] == {label}
+        assert refuted[0] <= refuted[1]
+        assert formulas[label]["counterexample"]
+        assert formulas[label]["repair"]["edits"] == [edit]
