@@ -63,7 +63,7 @@ def found(job: pipeline.Job) -> dict[str, Any]:
     """Verdicts with the derived forms of each formula, as data."""
     derived = {name: one["statements"] for name, one in job.derived.items()}
     formulas = [{**one, "derived": derived.get(one["id"], [])} for one in job.printed]
-    return {"counts": show.counts(job.printed), "formulas": formulas}
+    return {"counts": show.counts(job.printed), "claims": show.counts(job.claims), "formulas": formulas}
 
 
 def score(path: Path | None) -> str:

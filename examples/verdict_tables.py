@@ -1,11 +1,19 @@
-"""The tables of verdicts, errata and wrong variants in README.md, from the results of a run."""
+"""The tables of verdicts, errata and wrong variants in README.md, from the results of a run.
+
+derive report --check --json found.json && python examples/verdict_tables.py found.json
+says whether verdicts and errata in README.md are those of the run.
+"""
 
 from __future__ import annotations
 
+import json
+import sys
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
+README = Path(__file__).resolve().parent.parent / "README.md"
 Found = Mapping[str, Any]
 ORDER = ("PROVED", "CERTIFIED", "AGREED", "DEFINITION", "REFUTED", "UNKNOWN", "UNREAD")  # in the order of trust
 WIDEST = 240  # characters of a formula in a table
@@ -61,3 +69,15 @@ def mutant_table(mutants: Found) -> list[str]:
     rows: Sequence[tuple[str, Found]] = [*mutants["kinds"].items(), ("**all**", mutants["counts"])]
     lines = [f"| change | {' | '.join(fates)} |", "|---" * (len(fates) + 1) + "|"]
     return lines + [f"| {kind} | {' | '.join(str(met.get(fate, 0)) for fate in fates)} |" for kind, met in rows]
+
+
+def differing(result: Found, readme: str) -> list[str]:
+    """The tables of README.md that are not those of a run."""
+    tables = {"verdicts": verdict_table(result), "errata": errata_table(result)}
+    return [name for name, lines in tables.items() if "\n".join(lines) not in readme]
+
+
+if __name__ == "__main__":
+    result = json.loads(Path(sys.argv[1]).read_text(encoding="utf-8"))
+    names = differing(result, README.read_text(encoding="utf-8"))
+    sys.exit(f"README.md: {' and '.join(names)} differ from the run; run examples/readme_tables.py" if names else 0)

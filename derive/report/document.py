@@ -81,7 +81,7 @@ def title_of(record: Record) -> str:
     """The part of the article in which a formula stands."""
     if record["id"].startswith(TEXT):
         return "Claims of the running text"
-    scope = str(record["scope"] or "")
+    scope = str(record.get("scope") or "")
     return TITLES.get(scope, tex.text(scope.replace("_", " ").capitalize() or "Other formulas"))
 
 
