@@ -64,7 +64,7 @@ def test_what_the_article_prints_holds(verdicts, label):
 
 def test_names_are_introduced_once(verdicts):
     defined = {label for label, verdict in verdicts.items() if any(s.verdict == DEFINITION for s in verdict.statements)}
-    assert defined == {"exsl12a", "exsl17", "slch9"}
+    assert defined == {"exsl17"}
 
 
 def test_curvature_at_every_point_is_not_the_one_with_the_tip(theory, verdicts):
@@ -188,7 +188,7 @@ def test_no_mutant_survives_unproved(theory):
 
 def test_the_fates_of_mutants_are_counted(theory):
     fates = of_formula(theory, LEDGER["slch5"])
-    assert {fate["fate"] for fate in fates} == {"killed", "equivalent", "meaningless"}
+    assert {fate["fate"] for fate in fates} == {"killed"}
     kinds = score(fates, lambda fate: fate["kind"])
     assert sum(sum(count.values()) for count in kinds.values()) == len(fates)
     assert list(kinds) == sorted(kinds)

@@ -26,7 +26,7 @@ LEDGER = load_ledger()
 SCOPES = ("kirchhoff", "magnetization", "line_energy")
 LABELS = [label for label, record in LEDGER.items() if record.scope in SCOPES]
 WRONG = {"kth20b", "kth23"}
-NAMING = {"kthr7", "kth14", "kth15", "kth18", "kth28"}
+NAMING = {"kthr7", "kthr12", "kth14", "kth15", "kth18", "kth28"}
 
 
 @pytest.fixture(scope="module")

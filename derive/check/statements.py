@@ -7,8 +7,9 @@ A formula that holds along every rod, but with a sign or a branch that is not pr
 that was found is in the verdict's reason: ± that changes its sense along a rod, a logarithm whose principal value
 jumps. What the printed signs cannot mend, at any point of any rod, is REFUTED there.
 
-An equality that holds is a DEFINITION if it introduces a name, as the conventions say of the name: alone on the first
-side, under no hypothesis. Everything else that is proved is PROVED. Nothing is looked up: verdicts are computed.
+A single equality that holds is a DEFINITION if it introduces a name, as the conventions say of the name: alone on the
+first side, under no hypothesis. A chain says more than that. Everything else that is proved is PROVED. Nothing is
+looked up: verdicts are computed.
 """
 
 from __future__ import annotations
@@ -110,12 +111,12 @@ def said_of(statement: t.Statement) -> tuple[t.Node, ...]:
 
 
 def _introduces(statement: t.Statement, record: Record) -> bool:
-    """Is the first side a name that this display introduces, alone or at variables, and every relation an equality?"""
+    """Is it one equality, whose first side is a name that this display introduces, alone or at variables?"""
     first = statement.sides[0]
     alone = isinstance(first, t.Name) or (
         isinstance(first, t.Call) and not first.primes and all(isinstance(arg, t.Name) for arg in first.args)
     )
-    if not alone or set(statement.operators) != {"="}:
+    if not alone or statement.operators != ("=",):
         return False
     assert isinstance(first, t.Name | t.Call)
     return conventions_of(str(record.scope)).declared(first.name, first.index).introduced == record.id
