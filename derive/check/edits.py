@@ -23,9 +23,9 @@ from derive.paper.conventions import scope as conventions_of
 
 # From the likeliest misprint on.
 KINDS = (
-    "order of factors", "sign", "argument", "bar", "prime", "index", "symbol", "number", "coefficient", "relation", "power",
-    "root", "operands", "transpose", "inverse", "variation", "bounds", "rows", "cases", "factor", "term", "either sign",
-    "missing factor", "missing term", "order",
+    "order of factors", "sign", "argument", "bar", "prime", "index", "symbol", "number", "coefficient", "relation",
+    "power", "root", "operands", "transpose", "inverse", "variation", "bounds", "rows", "cases", "factor",
+    "term", "either sign", "missing factor", "missing term", "order",
 )  # fmt: skip
 NUMBERS = tuple(map(t.Number, (2, 3, 4)))  # that may be missing as factors
 ZERO, TWICE = t.Number(0), NUMBERS[0]

@@ -202,7 +202,9 @@ def _clean(value: Any, digits: int) -> Any:
     return value
 
 
-def magnitude(expr: Any, point: Point, digits: int = 50) -> Any:
+def magnitude(expr: Any, point: Point, digits: int = 50, known: dict[sp.Expr, Any] | None = None) -> Any:
     """The sum of the absolute values of the terms of an expression: the scale of its rounding errors."""
     with mp.workdps(digits):
-        return mp.fsum(abs(evaluate(term, point, digits)) for term in sp.Add.make_args(sp.sympify(expr, strict=True)))
+        return mp.fsum(
+            abs(evaluate(term, point, digits, known)) for term in sp.Add.make_args(sp.sympify(expr, strict=True))
+        )

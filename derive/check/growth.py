@@ -25,13 +25,15 @@ def differ(
     found = None
     for sign in signs:
         point = {**place.point, pm: sympify(sign)}
-        left, right = (evaluate(rate, point, digits) for rate in rates)
+        known, more = (place.values(n * digits, sign).evaluated for n in (1, 2))
+        left, right = (evaluate(rate, point, digits, known) for rate in rates)
         with mp.workdps(digits):
-            gap, size = left - right, sum(magnitude(rate, point, digits) for rate in rates)
+            gap, size = left - right, sum(magnitude(rate, point, digits, known) for rate in rates)
         if abs(gap) <= TOLERANCE * size:
             return None
         with mp.workdps(2 * digits):
-            again: Any = evaluate(rates[0], point, 2 * digits) - evaluate(rates[1], point, 2 * digits)
+            first, second = (evaluate(rate, point, 2 * digits, more) for rate in rates)
+            again: Any = first - second
             if abs(again - gap) > SAME * abs(again):
                 return None
         shown = {str(symbol): str(value) for symbol, value in place.point.items() if value.is_number}
