@@ -125,6 +125,8 @@ def show_finding(console: Console, formula: Mapping[str, Any]) -> None:
         if repair := statement.get("repair"):
             how = f"{' and '.join(repair['edits'])}; {repair['tried']} tried"
             console.print(f"  repair ({repair['verdict']}; {how}): {escape(repair['latex'])}", soft_wrap=True)
+            for before, after in repair["changes"]:
+                console.print(f"    {escape(before)} becomes {escape(after)}", soft_wrap=True)
         elif statement["verdict"] == "REFUTED":
             console.print("  repair: no small edit was found that is proved")
 

@@ -45,14 +45,18 @@ def counted(records: Iterable[Found]) -> Counter[str]:
 
 
 def errata_table(result: Found) -> list[str]:
-    """Every statement that is refuted as printed, and the smallest change that is proved."""
-    lines = ["| label | printed | holds | tried |", "|---|---|---|---|"]
+    """Every statement that is refuted as printed, and the parts that the smallest proved repair changes in it."""
+    lines = ["| label | line | printed | holds | candidates tried |", "|---|---|---|---|---|"]
     for formula in result["formulas"]:
         for statement in formula["statements"] or [formula]:
             if statement["verdict"] == "REFUTED":
+                place = f"| {formula['id']} | {formula['line']} "
                 repair = statement.get("repair")
-                holds, tried = (cell(repair["latex"]), str(repair["tried"])) if repair else ("no small change", "")
-                lines.append(f"| {formula['id']} | {cell(statement['printed'])} | {holds} | {tried} |")
+                if not repair:
+                    lines.append(f"{place}| {cell(statement['printed'])} | no small change was found | |")
+                    continue
+                before, after = (", ".join(cell(pair[n]) for pair in repair["changes"]) for n in (0, 1))
+                lines.append(f"{place}| {before} | {after} | {repair['tried']} |")
     return lines
 
 

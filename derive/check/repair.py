@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from derive.check.bench import Bench
+from derive.check.differences import differences
 from derive.check.edits import edits
 from derive.check.judge import judge
 from derive.check.pairs import NONSENSE, pairs
@@ -41,16 +42,22 @@ class _UnprovedError(Exception):
 
 @dataclass(frozen=True)
 class Repair:
-    """latex: the mended statement. edits: what was changed, in words. tried: candidates up to this one."""
+    """latex: the mended statement. edits: what was changed, in words. tried: candidates up to this one.
+
+    changes: the parts that are changed, and what they are changed to, in LaTeX.
+    """
 
     latex: str
     verdict: str
     edits: tuple[str, ...]
     tried: int
+    changes: tuple[tuple[str, str], ...] = ()
 
     def to_json(self) -> dict[str, Any]:
         """Plain values, for JSON."""
-        return {"latex": self.latex, "verdict": self.verdict, "edits": list(self.edits), "tried": self.tried}
+        changes = [list(pair) for pair in self.changes]
+        said = {"latex": self.latex, "verdict": self.verdict, "edits": list(self.edits), "tried": self.tried}
+        return {**said, "changes": changes}
 
 
 def repaired(
@@ -90,7 +97,8 @@ def repair(
         readable = _readable(candidate, scope)
         found = readable and _proved(theory, record, number, readable[1], given)
         if readable and found:
-            return Repair(readable[0], found, names, tried)
+            changes = differences(statement, readable[1], scope)
+            return Repair(readable[0], found, names, tried, tuple(changes))
         slow += 1
     return None
 

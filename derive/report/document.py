@@ -176,7 +176,7 @@ def errata(formula: Record, derived: Derived, record: Record) -> Iterator[dict[s
                 "printed": tex.printed(judged["printed"]),
                 "counterexample": counterexample(judged["counterexample"] or {}),
                 "reason": tex.prose(RELATION.sub(r"the sides of its relation \1; \2", judged["reason"])),
-                "repair": {"latex": repair["latex"], "how": how(repair)} if repair else None,
+                "repair": repair and {"latex": repair["latex"], "how": how(repair), "changes": repair["changes"]},
                 "forms": [{"latex": one["latex"]} for one in (forms[number]["forms"] if forms else ())],
             }
 

@@ -103,6 +103,7 @@ def _repair(theory: Any, claim: TextClaim) -> dict[str, Any] | None:
                 "verdict": str(found.verdict),
                 "edits": list(kinds),
                 "tried": tried,
+                "changes": [[told(candidate, claim), told(claim, candidate)]],
             }
     return None
 
