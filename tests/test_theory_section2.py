@@ -358,7 +358,6 @@ FLIPS = [
     (placement, "e3 + along(place", "e3 - along(place"),
     (loads, "elastic + constraint - FORCES", "elastic + constraint + FORCES"),
     (loads, "- COUPLES.dot(TURN)", "+ COUPLES.dot(TURN)"),
-    (particle, "demagnetizing + shape * m", "demagnetizing - shape * m"),
     (kinematics, "rod.frame.kappa.cross(POINT)", "-rod.frame.kappa.cross(POINT)"),
     (line_energy, "-letter * w", "letter * w"),
     (couple, "return -d3.cross", "return d3.cross"),

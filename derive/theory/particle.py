@@ -9,10 +9,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from sympy import Expr, Matrix, Symbol, diag, expand, eye, factor, integrate, oo, solve
+from sympy import Expr, Matrix, Symbol, expand, factor, integrate, oo
 
+from derive.theory import fields as fields_script
 from derive.theory.claims import Domain, Equal, Notebook, Positive
 from derive.theory.energy import DIRECTION, Energy, H
+from derive.theory.fields import Fields, symmetric
 from derive.theory.letters import (
     N_par,
     N_perp,
@@ -31,7 +33,6 @@ from derive.theory.letters import (
     nu,
     rotation,
     unit,
-    vector,
 )
 
 
@@ -48,36 +49,6 @@ class Particle:
     magnetization: Matrix
     energy: Energy
     fields: Fields
-
-
-@dataclass(frozen=True)
-class Fields:
-    """What the laws give for the applied field H, in the particle's own axes, the third along a.
-
-    material, shape: tensors of susceptibility and demagnetization, 3 × 3. inside, demagnetizing, magnetization: the
-    field in the particle, the one that its magnetization makes, and this magnetization, A/m, 3 × 1.
-    """
-
-    material: Matrix
-    shape: Matrix
-    inside: Matrix
-    demagnetizing: Matrix
-    magnetization: Matrix
-
-
-def symmetric(along: Expr, across: Expr, a: Matrix) -> Matrix:
-    """The tensor with one value along the unit vector a and another across it (suscet, demten), 3 × 3."""
-    return along * a * a.T + across * (eye(3) - a * a.T)
-
-
-def fields() -> Fields:
-    """The fields in the particle's own axes, from its laws."""
-    material, shape = diag(chi_perp, chi_perp, chi_par), diag(N_perp, N_perp, N_par)
-    inside, demagnetizing, m = vector("inside"), vector("demagnetizing"), vector("m")
-    # The total field, the material's law and the demagnetizing field: nine linear equations (campi, eqazm, magnetiz).
-    equations = [inside - (H + demagnetizing), m - material * inside, demagnetizing + shape * m]
-    solution = solve([x for equation in equations for x in equation], [*inside, *demagnetizing, *m], dict=True)[0]
-    return Fields(material, shape, *(unknown.subs(solution) for unknown in (inside, demagnetizing, m)))
 
 
 def susceptibilities(found: Fields) -> dict[Symbol, Expr]:
@@ -108,14 +79,14 @@ def permanent_energy() -> Energy:
 
 def derive(book: Notebook) -> Particle:
     """Magnetization and energy of paramagnetic particles, with their claims."""
-    found = fields()
+    found = fields_script.solved()
     values = susceptibilities(found)
     book.say("Susceptibilities of a prolate particle to the applied field, from the fields in its own axes.")
     book.show("chi", factor(values[chi]))
     book.show("chi_tilde", factor(values[chi_tilde]))
     magnetization = chi * H.dot(DIRECTION) * DIRECTION + chi_tilde * H
     claim_magnetization(magnetization.xreplace(values), book)
-    claim_fields(found, magnetization.xreplace(values), book)
+    fields_script.claim(found, magnetization.xreplace(values), book)
     # A long particle, N⊥ − N∥ > 0, of a material that is not easier to magnetize across, χ∥ − χ⊥ > 0.
     longer, easier = Symbol("N_excess", positive=True), Symbol("chi_excess", positive=True)
     book.claim(
@@ -168,45 +139,6 @@ def claim_magnetization(m: Matrix, book: Notebook) -> None:
         Equal(symmetric(1 / chi_par + N_par, 1 / chi_perp + N_perp, a) * m, H),
         steps=["particle.response"],
         source="magnha",
-    )
-
-
-def claim_fields(found: Fields, m: Matrix, book: Notebook) -> None:
-    """The fields and tensors in the particle's axes are those for any direction, with a along the third axis."""
-    own = dict(zip(DIRECTION, e3, strict=True))
-    m = m.xreplace(own)
-    book.claim(
-        "particle.axes",
-        "along the particle and across it, the magnetization is that of any direction",
-        Equal(found.magnetization, m),
-        steps=["particle.response"],
-        source="elmr11",
-    )
-    # Along its axis and across it: what is made of the vectors of the axes.
-    for name, label, tensor, along, across in (
-        ("material", "suscet", found.material, chi_par, chi_perp),
-        ("shape", "demten", found.shape, N_par, N_perp),
-    ):
-        book.claim(
-            f"particle.{name}",
-            f"the tensor of the {name} has one value along the particle and one across it",
-            Equal(tensor, symmetric(along, across, Matrix(e3))),
-            steps=["particle.response"],
-            source=label,
-        )
-    book.claim(
-        "particle.inside",
-        "the field inside is the applied one and the one that the magnetization makes",
-        Equal(found.inside, H + found.demagnetizing),
-        steps=["particle.axes"],
-        source="campi",
-    )
-    book.claim(
-        "particle.demagnetizing",
-        "the magnetization makes a field against itself, by the factors of the particle's shape",
-        Equal(found.demagnetizing, -symmetric(N_par, N_perp, Matrix(e3)) * m),
-        steps=["particle.axes", "particle.shape"],
-        source="magnetiz",
     )
 
 
