@@ -11,7 +11,7 @@ from sympy import Expr, Function, Matrix, eye
 from derive.theory import frame as frame_script
 from derive.theory.claims import Equal, Notebook
 from derive.theory.frame import Frame, along
-from derive.theory.letters import e3, vector, vector_of
+from derive.theory.letters import e3, vector_of
 from derive.theory.symbols import s
 
 POSITION = vector_of("x")  # a point of the axis, in the frame d, m
@@ -46,11 +46,11 @@ def derive(frame: Frame, book: Notebook) -> Expr:
         steps=["constraint.displacement"],
         source="elmr2",
     )
-    slope, force = vector("slope"), vector("F")
+    slope = R * along(POSITION, kappa)
     book.claim(
         "constraint.density",
         "the multiplier works on what the slope of the axis has beyond the tangent",
-        Equal(force.dot(slope - R_u * e3 - turned * R_u * e3), force.dot(slope - R * e3)),
+        Equal((R * FORCE).dot(slope - R_u * e3 - turned * R_u * e3), density(kappa)),
         steps=["constraint.slope"],
         source="elmr6",
     )

@@ -48,14 +48,15 @@ def derive(rod: Straight, balance: Balance, book: Notebook) -> None:
 
 def claim_plane(rod: Straight, book: Notebook) -> None:
     """Nothing turns a rod out of the plane of y and z, if force and field lie in it."""
-    y, z = (Function(name, real=True)(s) for name in "yz")
-    alpha = angle("alpha")
-    d3 = y.diff(s) * e2 + z.diff(s) * e3
-    residual = rod.residual(d3, vector("F")[1] * e2, cos(alpha) * e2 + sin(alpha) * e3)
+    y, z = (Function(name, real=True)(s).diff(s) for name in "yz")
+    alpha, force = angle("alpha"), vector("F")[1]
+    d3, e = y * e2 + z * e3, cos(alpha) * e2 + sin(alpha) * e3
+    couple = rod.modulus(y * cos(alpha) + z * sin(alpha)) * (y * sin(alpha) - z * cos(alpha))
+    balance = y * z.diff(s, 2) - z * y.diff(s, 2) - force * z + couple
     book.claim(
         "equilibrium.plane",
         "in the plane of force and field the moments balance but about the direction across it",
-        Equal(residual, residual.dot(e1) * e1),
+        Equal(rod.residual(d3, force * e2, e), balance * e1),
         steps=["equilibrium.residual"],
         source="exsl3",
     )
