@@ -49,7 +49,8 @@ def condition(sides: Iterable[t.Node], rods: Iterable[m.Reading]) -> str:
     if wrong is None or wrong.jump is None:
         how = "turns, but not across the cut" if any(one.turns for one in found) else "keeps its phase"
         return f"the principal value of ln serves: its argument {how} on the {len(found)} rods that were followed"
-    values = {**wrong.point, m.s: wrong.jump * wrong.point[m.ell]}
+    values = {x: value for x, value in wrong.point.items() if value.is_number}
+    values |= {m.s: wrong.jump * wrong.point[m.ell]}
     place = ", ".join(f"{symbol} = {mp.nstr(evaluate(value, {}, DIGITS), 9)}" for symbol, value in values.items())
     return f"ln must be continued along the rod: its principal value is wrong at {place} ({wrong.case})"
 
@@ -59,9 +60,9 @@ def _along(value: Any, rod: m.Reading) -> Iterator[Followed]:
     logs = sorted((one for one in value.atoms(sp.log) if one.has(m.s)), key=sp.default_sort_key)
     if not logs or rod.invariants is None:
         return
-    domain = Domain({x: ends for x, ends in rod.domain.ranges.items() if x not in (m.s, m.ell)}, rod.domain.conditions)
+    domain = Domain({x: ends for x, ends in rod.domain.ranges.items() if x not in m.ARCS}, rod.domain.conditions)
     half = fn.half_period(sp.Integer(1), *rod.invariants)
-    for point in Sampler([half], domain, seed=3).points(RODS):
+    for point in Sampler([half, *logs], domain, rod.hypotheses, seed=3).points(RODS):
         try:
             length = evaluate(half, point, DIGITS) * LENGTH.p / LENGTH.q
             whole = {**point, m.ell: sp.Rational(mp.nstr(length, 6))}

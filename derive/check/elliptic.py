@@ -8,14 +8,16 @@ largest term, a few units of the last digit. DegenerateError invariants (g₂³ 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, wraps
 from typing import Any
 
 from mpmath import mp
 
 GUARD = 20  # digits beyond the caller's
 Number = Any  # mpf or mpc
+Function = Callable[..., Number]
 
 
 class DegenerateError(ArithmeticError):
@@ -149,6 +151,21 @@ def _logarithmic(u: Number, g2: Number, g3: Number) -> tuple[Lattice, Number, in
     return cell, small, m, n, list(_theta(mp.pi * small / (2 * cell.omega1), cell.q))
 
 
+def kept(function: Function) -> Function:
+    """The function with its last values kept: the same points come again with each variant of a formula."""
+
+    @lru_cache(maxsize=4096)
+    def known(dps: int, *args: Number) -> Number:
+        return function(*args)
+
+    @wraps(function)
+    def called(*args: Number) -> Number:
+        return known(mp.dps, *args)
+
+    return called
+
+
+@kept
 def wp(u: Number, g2: Number, g3: Number) -> Number:
     """℘(u; g₂, g₃) = −η₁/ω₁ − (ln θ₁)″ (DLMF 23.6.14 in logarithmic form)."""
     with mp.extradps(GUARD):
@@ -157,6 +174,7 @@ def wp(u: Number, g2: Number, g3: Number) -> Number:
     return _plain(value, u, g2, g3)
 
 
+@kept
 def wp_prime(u: Number, g2: Number, g3: Number) -> Number:
     """℘′(u; g₂, g₃) = −(ln θ₁)‴."""
     with mp.extradps(GUARD):
@@ -165,6 +183,7 @@ def wp_prime(u: Number, g2: Number, g3: Number) -> Number:
     return _plain(value, u, g2, g3)
 
 
+@kept
 def wzeta(u: Number, g2: Number, g3: Number) -> Number:
     """ζ(u; g₂, g₃) = η₁u/ω₁ + (ln θ₁)′ (DLMF 23.6.13), with its quasi-periods (DLMF 23.2.11)."""
     with mp.extradps(GUARD):
@@ -174,6 +193,7 @@ def wzeta(u: Number, g2: Number, g3: Number) -> Number:
     return _plain(value, u, g2, g3)
 
 
+@kept
 def wsigma(u: Number, g2: Number, g3: Number) -> Number:
     """σ(u; g₂, g₃) (DLMF 23.6.9), with its quasi-periodicity (DLMF 23.2.15); 0 at lattice points."""
     with mp.extradps(GUARD):

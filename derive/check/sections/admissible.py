@@ -9,7 +9,7 @@ from sympy import Integer
 
 from derive.check.on_rod import OnRod
 from derive.check.sample import Sampler
-from derive.check.sections.letters import constants
+from derive.check.sections.letters import constants, named
 from derive.theory.claims import Domain
 from derive.theory.load_case import COSINES, LoadCase, xi_tip
 from derive.theory.symbols import xi
@@ -24,6 +24,7 @@ def readings(case: LoadCase, functions: Weierstrass) -> Iterator[OnRod]:
         values={**constants(case, functions, functions.at_one), "xi": xi},
         domain=replace(inside, conditions=(case.f_hat,)),
         polynomials={"f": case.f, "f_hat": case.f_hat},
+        hypotheses=named(case, functions, functions.at_one),
     )
     yield base
     assert case.other_root is not None
@@ -53,4 +54,5 @@ def _at_root(case: LoadCase, base: OnRod, title: str, domain: Domain, value: Int
         values=values | {"xi": here, "xi_a": pair[0], "xi_b": pair[1]},
         domain=domain,
         polynomials={name: put(one) for name, one in base.polynomials.items()},
+        hypotheses=tuple((old, put(new)) for old, new in base.hypotheses),
     )

@@ -13,11 +13,11 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import Any
 
-from sympy import Expr, Integer, Rational, Symbol, acos, sqrt
+from sympy import Expr, Integer, Rational, acos, sqrt
 
 from derive.check import meaning as m
 from derive.check.on_rod import OnRod, Y, Z
-from derive.check.sections.letters import constants
+from derive.check.sections.letters import constants, g_2, g_3, named, omegas, v
 from derive.theory import functions as fn
 from derive.theory.claims import Domain
 from derive.theory.load_case import LoadCase, xi_tip
@@ -28,8 +28,6 @@ from derive.theory.weierstrass import Expansion, Weierstrass
 
 ANY_LATTICE = {"wp", "wzeta", "wsigma", "u", "v"}
 NEAR = (Rational(1, 10), Rational(2, 10))  # ranges of u_o and ℓ, free of poles for every sample of the others
-v = Symbol("v", real=True)
-g_2, g_3 = Symbol("g2", real=True), Symbol("g3", real=True)
 
 
 def any_lattice() -> OnRod:
@@ -65,9 +63,9 @@ def on_line(case: LoadCase, functions: Weierstrass, at: Expansion, title: str) -
         values=values,
         domain=domain.with_range(m.s, 0, m.ell).with_range(m.varsigma, 0, m.ell),
         polynomials={"f": case.f, "f_hat": case.f_hat},
-        invariants=(functions.g2, functions.g3),
+        invariants=(g_2, g_3),
         solution=solution(functions, at),
-        hypotheses=_at_pole(case, functions, at),
+        hypotheses=(*named(case, functions, at), *_at_pole(case, functions, at)),
         start={Y: Integer(0), Z: Integer(0), m.s: Integer(0)},
         rods=lambda: on_rods(case, functions),
     )
@@ -115,22 +113,23 @@ def on_rod(case: LoadCase, functions: Weierstrass, line: OnRod, one: UoCase) -> 
         return value.subs(to_tip)
 
     at, start = functions.at_one, solution(functions, functions.at_one)
-    g2, g3 = put(functions.g2), put(functions.g3)
     values = {name: put(value) for name, value in line.values.items()}
-    corners = {name: fn.half_period(n, g2, g3) for n, name in enumerate(HALF_PERIODS, start=1)}
-    values |= corners | {"omega_bar": corners[one.half_period], "gamma": put(case.gamma), **_roots(case, one)}
+    tip = omegas[HALF_PERIODS.index(one.half_period)]
+    values |= {"omega_bar": tip, "gamma": put(case.gamma), **_roots(case, one)}
     reading = replace(
         line,
         title=f"{case.name}, {one.condition}",
         values=values,
         domain=one.domain.with_range(m.ell, *NEAR).with_range(m.s, 0, m.ell).with_range(m.varsigma, 0, m.ell),
         polynomials={name: put(value) for name, value in line.polynomials.items()},
-        invariants=(g2, g3),
         solution=lambda value: put(start(value)),
         at_tip=xi_tip,
-        hypotheses=_at_corners(case, functions, one, at),
+        hypotheses=(
+            *((old, put(new)) for old, new in named(case, functions, at)),
+            *_at_corners(case, functions, one, at),
+        ),
     )
-    return _moving(reading, corners[one.half_period] - m.ell + m.s)
+    return _moving(reading, tip - m.ell + m.s)
 
 
 def _roots(case: LoadCase, one: UoCase) -> dict[str, Expr]:

@@ -13,7 +13,7 @@ from sympy import Expr, Integer, Symbol, acos, oo, sqrt
 from derive.check import meaning as m
 from derive.check.on_rod import OnRod, Y, Z
 from derive.check.sections import elliptic
-from derive.check.sections.letters import constants
+from derive.check.sections.letters import constants, g_2, g_3, named
 from derive.theory.claims import Domain
 from derive.theory.load_case import COSINES, LoadCase, linear_root
 from derive.theory.symbols import beta, theta, xi
@@ -63,6 +63,7 @@ def _reading(case: LoadCase, functions: Weierstrass, side: Side, bent: int) -> O
     values |= {"xi": xi, "y": Y, "z": Z, "theta": theta, "theta_o": acos(xi_0)}
     values |= {"kappa_x": curvature, "k": sqrt(case.f_hat), "u_o": m.u_o, "u": m.u_o + m.s}
     values |= {"varkappa": elliptic.value_at(functions, functions.at_one)(xi)}
+    names = named(case, functions, functions.at_one)
     stretch = f"κ_x {'>' if bent == 1 else '<'} 0{side.name}"
     return OnRod(
         title=f"{case.name}, {stretch}",
@@ -74,9 +75,9 @@ def _reading(case: LoadCase, functions: Weierstrass, side: Side, bent: int) -> O
         # ξ′ = −κ_x sin θ, and θ′ = κ_x.
         rates={xi: -curvature * sine, Y: xi, Z: sine, theta: curvature, sine: curvature * xi, m.s: Integer(1)},
         polynomials={"f": case.f, "f_hat": case.f_hat},
-        invariants=(functions.g2, functions.g3),
+        invariants=(g_2, g_3),
         at_tip=side.tip,
-        hypotheses=((case.constant, linear_root(side.known, case.constant)), (sine**2, 1 - xi**2)),
+        hypotheses=(*names, (case.constant, linear_root(side.known, case.constant)), (sine**2, 1 - xi**2)),
         start={Y: Integer(0), Z: Integer(0), xi: xi_0, m.s: Integer(0)},
         stretch=stretch,
     )

@@ -4,13 +4,18 @@ from __future__ import annotations
 
 from typing import Any
 
-from sympy import I, Integer
+from sympy import Expr, I, Integer, Symbol
 
 from derive.check import meaning as m
 from derive.theory import functions as fn
 from derive.theory.load_case import LoadCase
 from derive.theory.symbols import beta, eta, gamma_bar, xi
 from derive.theory.weierstrass import Expansion, Weierstrass
+
+# Names for what is long to write out; ``named`` says what they stand for.
+g_2, g_3 = Symbol("g_2", real=True), Symbol("g_3", real=True)
+omegas = tuple(Symbol(f"omega_{n}") for n in (1, 2, 3))
+v = Symbol("v")
 
 
 def constants(case: LoadCase, functions: Weierstrass, at: Expansion) -> dict[str, Any]:
@@ -24,9 +29,15 @@ def constants(case: LoadCase, functions: Weierstrass, at: Expansion) -> dict[str
         values |= {"xi_a": case.roots[0], "xi_b": case.roots[1]}
     else:
         values |= {"xi_1": Integer(1), "xi_2": case.roots[0], "xi_3": Integer(-1)}
-    values |= {"Delta": discriminant, "a": at.a, "b": at.b, "c": at.c, "g_2": functions.g2, "g_3": functions.g3}
-    values |= {f"omega_{n}": fn.half_period(n, functions.g2, functions.g3) for n in (1, 2, 3)}
+    values |= {"Delta": discriminant, "a": at.a, "b": at.b, "c": at.c, "g_2": g_2, "g_3": g_3}
+    values |= {f"omega_{n}": omega for n, omega in enumerate(omegas, start=1)}
     if case.bends:
-        values["v"] = fn.perimeter_point(at.c, functions.g2, functions.g3)
-        values["u_bar"] = fn.perimeter_point(at.value_at(Integer(-1)), functions.g2, functions.g3)
+        values |= {"v": v, "u_bar": fn.perimeter_point(at.value_at(Integer(-1)), g_2, g_3)}
     return values | m.BASES
+
+
+def named(case: LoadCase, functions: Weierstrass, at: Expansion) -> tuple[tuple[Expr, Expr], ...]:
+    """What the symbols among these values stand for: v, the half-periods, and the invariants last."""
+    found: list[tuple[Expr, Expr]] = [(v, fn.perimeter_point(at.c, g_2, g_3))] if case.bends else []
+    found += [(omega, fn.half_period(n, g_2, g_3)) for n, omega in enumerate(omegas, start=1)]
+    return (*found, (g_2, functions.g2), (g_3, functions.g3))

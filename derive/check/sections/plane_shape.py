@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from sympy import Integer
@@ -10,8 +10,9 @@ from sympy import Integer
 from derive.check.on_rod import OnRod
 from derive.check.sections import admissible, elliptic, heights
 from derive.paper import tree as t
-from derive.theory.weierstrass import expansion
+from derive.theory.weierstrass import Weierstrass, expansion
 
+_KEPT: dict[tuple[str, int], tuple[Weierstrass, tuple[OnRod, ...]]] = {}
 OF_RODS = {"omega_1", "omega_2", "omega_3", "omega_bar", "u_bar"}
 LOGARITHMIC = {"wzeta", "wsigma"}
 OF_LINES = {"v", "ln", *LOGARITHMIC}
@@ -26,17 +27,26 @@ def readings(
     nodes = [node for side in sides for node in side.walk()]
     kinds, calls = {type(node) for node in nodes}, {node.name for node in nodes if isinstance(node, t.Call)}
     if t.Interval in kinds and names <= {"xi", "xi_a", "xi_b"}:
-        return admissible.readings(case, functions)
+        return kept("admissible", functions, lambda: admissible.readings(case, functions))
     if names <= elliptic.ANY_LATTICE and "v" in names:
-        return iter([elliptic.any_lattice()])
+        return kept("any lattice", functions, lambda: iter([elliptic.any_lattice()]))
     turns = case.bends == -1 and "v" in names and not names & LOGARITHMIC  # the side of v depends on the rod
     if names & OF_RODS or t.At in kinds or turns:
-        return elliptic.on_rods(case, functions)
+        return kept("rods", functions, lambda: elliptic.on_rods(case, functions))
     if names & OF_LINES or "y" in calls:
-        return _lines(case, functions, at_one or not names & {"a", "b", "c"})
+        alone = at_one or not names & {"a", "b", "c"}
+        return kept(f"lines, {alone}", functions, lambda: _lines(case, functions, alone))
     if calls & OF_HEIGHTS or t.Integral in kinds:
-        return heights.readings(case, functions)
+        return kept("heights", functions, lambda: heights.readings(case, functions))
     return None
+
+
+def kept(kind: str, functions: Weierstrass, make: Callable[[], Iterator[OnRod]]) -> Iterator[OnRod]:
+    """The readings of a kind, made once for a load case of a theory, so that their points can be kept with them."""
+    key = (kind, id(functions))
+    if key not in _KEPT:
+        _KEPT[key] = (functions, tuple(make()))  # holds the functions, so that no others have their id
+    return iter(_KEPT[key][1])
 
 
 def _lines(case: Any, functions: Any, at_one: bool) -> Iterator[OnRod]:
