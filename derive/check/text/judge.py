@@ -31,6 +31,7 @@ FORMS: Mapping[str, Form] = {
     "sign": Form(polynomials.judge_sign, polynomials.vary_sign),
     "coefficient": Form(polynomials.judge_coefficient, polynomials.vary_coefficient),
     "roots": Form(polynomials.judge_roots, polynomials.vary_monomials),
+    "discriminant": Form(polynomials.judge_discriminant, polynomials.vary_monomials),
     "range": Form(polynomials.judge_range, polynomials.vary_monomials),
     "growth": Form(polynomials.judge_growth, polynomials.vary_growth),
     "degree": Form(polynomials.judge_degree, polynomials.vary_degree),

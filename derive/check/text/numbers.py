@@ -88,9 +88,11 @@ def vary_transition(claim: TextClaim) -> Variants:
 
 
 def judge_effect(theory: Any, claim: TextClaim, decide: Judge) -> list[RelationVerdict]:
-    """Each rod's effect."""
+    """Each rod's effect, as far as it is certified."""
+    share = examples.SHORT if claim.data["effect"] == "increment" else examples.BEYOND
+    note = f"for all fields up to {share} of the one in which the rod is straight"
     return [
-        _found(f"beta = {beta}: {claim.data['effect']}", claim.data["effect"], examples.effect(_rod(claim, beta)))
+        _found(f"beta = {beta}: {claim.data['effect']}", claim.data["effect"], examples.effect(_rod(claim, beta)), note)
         for beta in claim.data["betas"]
     ]
 

@@ -4,6 +4,7 @@ sign          of, is, between = [low, high]: f or f̂ has this sign for ξ betwe
 coefficient   of, power, is: the sign of a coefficient
 roots         of, values: its roots, as monomials
 growth        of, at = {plus, minus}: the sign to which f is infinite for ξ → +∞ and ξ → −∞
+discriminant  values: a quarter of the discriminant of f̂, as a sum of monomials, and it is positive
 range         ends: of the range of the constant, as monomials
 degree        along, degrees: with the field along e_y or e_z, f = (y″)² and f̂ are polynomials in y′ of these degrees
 """
@@ -12,7 +13,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from sympy import Expr, Poly, PolynomialError, Symbol, cancel, cos, degree, expand, oo, pi, prod, sin, sqrt
+from sympy import Expr, Integer, Poly, PolynomialError, Symbol, cancel, cos, degree, expand, oo, pi, prod, sin, sqrt
 
 from derive.check.report import RelationVerdict
 from derive.check.text.forms import (
@@ -75,6 +76,16 @@ def judge_roots(theory: Any, claim: TextClaim, decide: Judge) -> list[RelationVe
     product = Poly(polynomial, xi).LC() * prod(xi - value for value in values)
     domain = with_xi(where(case_of(theory, claim)), -oo, oo)
     return [decided(decide, f"the roots of {claim.data['of']}", Equal(polynomial, product), domain)]
+
+
+def judge_discriminant(theory: Any, claim: TextClaim, decide: Judge) -> list[RelationVerdict]:
+    """The sum against the discriminant that SymPy finds, and its sign."""
+    case, said = case_of(theory, claim), sum((monomial(one) for one in claim.data["values"]), Integer(0))
+    found = Poly(case.f_hat, xi).discriminant() / 4
+    return [
+        decided(decide, "a quarter of the discriminant of f_hat", Equal(said, found), where(case)),
+        decided(decide, "it is positive", Positive(said), where(case)),
+    ]
 
 
 def judge_range(theory: Any, claim: TextClaim, decide: Judge) -> list[RelationVerdict]:
