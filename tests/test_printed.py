@@ -24,7 +24,14 @@ from derive.paper.reader import parse
 from derive.theory import equilibrium, plane, quartic, weierstrass
 from derive.theory.claims import Notebook
 
-LEDGER = load_ledger()
+ALGEBRA = (
+    "exsl8", "exsl9", "exsl9a", "exsl10", "exsl11", "exsl12", "exsl12a", "exsl13", "exsl17", "exsl18", "exsl19",
+    "exsl22", "exsl21", "exsl24", "exsl25", "exsl26", "exsl27", "exsl28", "slch1", "slch2", "slch3", "slch4", "slch5",
+    "slch6", "slch7", "slch8", "slch9", "slch10", "slch11", "exhpf2", "exhpf5", "exhpf6", "exhpf7", "exhpf8", "exhpf9",
+    "exhpf10",
+)  # fmt: skip
+# The displays of Section 3 up to the solution; those of other sections have tests of their own.
+LEDGER = {label: load_ledger()[label] for label in ALGEBRA}
 SAMPLE = 3  # mutants of each formula that are judged by default
 
 
@@ -58,7 +65,7 @@ def test_what_the_article_prints_holds(verdicts, label):
 
 def test_names_are_introduced_once(verdicts):
     defined = {label for label, verdict in verdicts.items() if any(s.verdict == DEFINITION for s in verdict.statements)}
-    assert defined == {"exsl12a", "exsl17", "slch9"}
+    assert defined == {"exsl9", "exsl12a", "exsl17"}
 
 
 def test_curvature_at_every_point_is_not_the_one_with_the_tip(theory, verdicts):
@@ -182,7 +189,7 @@ def test_no_mutant_survives_unproved(theory):
 
 def test_the_fates_of_mutants_are_counted(theory):
     fates = of_formula(theory, LEDGER["slch5"])
-    assert {fate["fate"] for fate in fates} == {"killed", "equivalent", "meaningless"}
+    assert {fate["fate"] for fate in fates} == {"killed"}
     kinds = score(fates, lambda fate: fate["kind"])
     assert sum(sum(count.values()) for count in kinds.values()) == len(fates)
     assert list(kinds) == sorted(kinds)
