@@ -58,9 +58,7 @@ class OnRod(Reading):
         if point == 0:
             return point
         self._still(name, point)
-        there = Symbol(f"{name}_at_{point}")
-        self.accumulated[there] = 0 * m.s
-        return there
+        return Symbol(f"{name}_at_{point}", real=True)
 
     def _on_rod(self, name: str, point: Expr) -> Expr:
         """ξ or ϰ at a point; in a reading without the elliptic solution ξ here, or another value that does not move."""
