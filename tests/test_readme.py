@@ -34,10 +34,12 @@ def test_the_tables_are_filled() -> None:
 def test_a_table_that_is_not_of_the_run_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.syspath_prepend(str(ROOT / "examples"))
     tables = importlib.import_module("verdict_tables")
-    statement = {"verdict": "REFUTED", "printed": "a = |b|", "repair": {"latex": "a = b", "tried": 3}}
-    found = {"claims": {"PROVED": 2}, "formulas": [{"id": "exsl1", "verdict": "REFUTED", "statements": [statement]}]}
+    repair = {"latex": "a = b", "tried": 3, "changes": [["|b|", "b"]]}
+    statement = {"verdict": "REFUTED", "printed": "a = |b|", "repair": repair}
+    formula = {"id": "exsl1", "line": 9, "verdict": "REFUTED", "statements": [statement]}
+    found = {"claims": {"PROVED": 2}, "formulas": [formula]}
     right = "\n".join([*tables.verdict_table(found), *tables.errata_table(found)])
-    assert r"| exsl1 | `a = \|b\|` | `a = b` | 3 |" in right
+    assert r"| exsl1 | 9 | `\|b\|` | `b` | 3 |" in right
     assert tables.differing(found, right) == []
     assert tables.differing(found, right.replace("| 3 |", "| 4 |")) == ["errata"]
     assert tables.differing({**found, "claims": {"PROVED": 1}}, right) == ["verdicts"]
