@@ -84,14 +84,13 @@ def _claim_order(case: LoadCase, book: Notebook) -> None:
 
 
 def _claim_admissible(book: Notebook, case: LoadCase) -> None:
-    """Where f̂ > 0: between its roots if H > 0, outside them if H < 0."""
-    inside = case.domain(**{case.constant.name: case.ends, "xi": COSINES})
-    where = Domain(inside.ranges, (case.f_hat,))
-    below, above = xi - case.roots[0], case.roots[1] - xi
-    gaps = {"above_a": below, "below_b": above} if case.bends == 1 else {"outside": -below * above}
-    for key, gap in gaps.items():
-        title = "ξ of a rod is on the side of the roots where f̂ > 0"
-        _claim(book, case, f"admissible_{key}", title, gap, where, "levels", "order", what="admissible")
+    """Where f̂ > 0: between its roots, which are in order, if H > 0; outside them if H < 0."""
+    where = case.domain(**{case.constant.name: case.ends, "xi": COSINES})
+    between = (xi - case.roots[0]) * (case.roots[1] - xi)
+    title = "f̂ has the sign of H between its roots, and the other outside them"
+    steps, source = case.ids("quartic.levels", "quartic.order"), case.source("admissible")
+    relation = Equal(case.f_hat, case.stiffness * between)
+    book.claim(f"quartic.{case.name}.admissible", title, relation, domain=where, steps=steps, source=source)
 
 
 def _claim_limits(case: LoadCase, book: Notebook) -> None:
