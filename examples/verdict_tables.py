@@ -17,6 +17,7 @@ README = Path(__file__).resolve().parent.parent / "README.md"
 Found = Mapping[str, Any]
 ORDER = ("PROVED", "CERTIFIED", "AGREED", "DEFINITION", "REFUTED", "UNKNOWN", "UNREAD")  # in the order of trust
 WIDEST = 240  # characters of a formula in a table
+OFTEN = 100  # variants of a kind that has a row of its own
 TEXT = "text."  # ids of claims of the running text begin so
 
 
@@ -68,9 +69,16 @@ def cell(latex: str) -> str:
 
 
 def mutant_table(mutants: Found) -> list[str]:
-    """What became of the wrong variants, by kind of change and in all; fates that none met are left out."""
+    """What became of the wrong variants, by kind of change and in all; rare kinds share a row."""
     fates = [fate for fate, number in mutants["counts"].items() if number or fate == "surviving"]
-    rows: Sequence[tuple[str, Found]] = [*mutants["kinds"].items(), ("**all**", mutants["counts"])]
+    often = {kind: met for kind, met in mutants["kinds"].items() if sum(met.values()) >= OFTEN}
+    rare = [met for kind, met in mutants["kinds"].items() if kind not in often]
+    others = {fate: sum(met.get(fate, 0) for met in rare) for fate in fates}
+    rows: Sequence[tuple[str, Found]] = [
+        *often.items(),
+        (f"{len(rare)} rarer kinds", others),
+        ("**all**", mutants["counts"]),
+    ]
     lines = [f"| change | {' | '.join(fates)} |", "|---" * (len(fates) + 1) + "|"]
     return lines + [f"| {kind} | {' | '.join(str(met.get(fate, 0)) for fate in fates)} |" for kind, met in rows]
 
