@@ -27,7 +27,9 @@ CHANGES = [
     ("exhpf15", r"2 b \zeta v", r"b \zeta v", "coefficient"),
     ("elmr8", r"\boldsymbol{d}_3 \times \boldsymbol{e}", r"\boldsymbol{e} \times \boldsymbol{d}_3", "order of factors"),
     ("exhpf2", r"(\overline{\gamma} + \eta)", r"(\gamma + \eta)", "bar"),
-    ("exhpf15", r"^{\varsigma =s}", r"^{\varsigma =\ell}", "symbol"),
+    ("exhpf15", r"^{\varsigma =s}", r"^{\varsigma =\ell}", "bounds"),
+    ("exsl41", r"_{\varsigma=0}", r"_{\varsigma=1}", "bounds"),
+    ("elmr6", r"\int_0^\ell", r"\int_0^s", "bounds"),
 ]
 # Formulas that do not hold as they are printed: what is changed to make them hold.
 MISPRINTS = [

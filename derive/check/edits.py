@@ -122,7 +122,7 @@ def _kind(kind: str, node: t.Node, new: t.Node) -> str:
 
 
 def _restored(node: t.Node, letters: Scope) -> Iterator[tuple[str, t.Node]]:
-    """Arguments and squares that may have been left out, and other numbers."""
+    """Arguments and squares that may have been left out, other numbers and other bounds."""
     match node:
         case t.Name():
             yield from _of_name(node, letters)
@@ -130,6 +130,10 @@ def _restored(node: t.Node, letters: Scope) -> Iterator[tuple[str, t.Node]]:
             yield from _of_call(node, letters)
         case t.Number(value=value):
             yield from (("number", t.Number(new)) for new in (value - 1, 2 * value, value // 2) if 0 < new != value)
+        case t.Integral() | t.Between() if node.lower is not None and node.upper is not None:
+            ends = [ZERO, *(t.Name(one.name) for one in letters.by_name.values() if one.sort == "arc")]
+            yield from (("bounds", replace(node, lower=end)) for end in ends if end != node.lower)
+            yield from (("bounds", replace(node, upper=end)) for end in ends if end != node.upper)
 
 
 def _of_name(node: t.Name, letters: Scope) -> Iterator[tuple[str, t.Node]]:

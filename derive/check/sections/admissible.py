@@ -42,7 +42,7 @@ def _at_root(case: LoadCase, base: OnRod, title: str, domain: Domain, value: Int
     """ξ at a root of f̂: the smaller one if is_first; value: ±1, or any ξ(ℓ)."""
     here = xi_tip if value is None else value
 
-    def put(expression):  # type: ignore[no-untyped-def]
+    def put(expression):  # type: ignore[no-untyped-def]  # values of any kind
         return expression.subs(case.constant, case.tip_constant).subs(xi_tip, here)
 
     assert case.other_root is not None

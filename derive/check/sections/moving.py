@@ -10,7 +10,7 @@ from typing import Any
 from sympy import Expr, Function, ImmutableDenseMatrix, Matrix, MatrixBase, Symbol, cancel
 
 
-class Turned(ImmutableDenseMatrix):  # type: ignore[misc]
+class Turned(ImmutableDenseMatrix):  # type: ignore[misc]  # SymPy has no types
     """A vector, or a tensor on d ⊗ d^u, whose components on d^u are known too: products need no multiplying out.
 
     A turn leaves products of two vectors as they are, and a tensor on d ⊗ d^u takes components on d^u to those on d.
