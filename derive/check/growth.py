@@ -24,7 +24,7 @@ def differ(
     place.sampler.extend(place.point, [rate.subs(pm, 1) for rate in rates])
     found = None
     for sign in signs:
-        point = {**place.point, pm: sympify(sign)}
+        point = {**place.point, pm: sympify(sign, strict=True)}
         known, more = (place.values(n * digits, sign).evaluated for n in (1, 2))
         left, right = (evaluate(rate, point, digits, known) for rate in rates)
         with mp.workdps(digits):

@@ -48,7 +48,7 @@ class Place:
     def values(self, digits: int, sign: int = 1, small: Any = None) -> Values:
         """The values there, for one of the signs ±, and for a small parameter if one is given."""
         if (digits, sign, small) not in self.made:
-            special: ExactPoint = {pm: sympify(sign)}
+            special: ExactPoint = {pm: sympify(sign, strict=True)}
             if small is not None and self.reading.small is not None:
                 special[self.reading.small] = small
             self.made[digits, sign, small] = Values(self, digits, special)

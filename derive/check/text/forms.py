@@ -91,7 +91,7 @@ def roots(theory: Any, claim: TextClaim) -> dict[str, Expr]:
 def monomial(parts: Mapping[str, Any]) -> Expr:
     """A number times powers of letters, given as data."""
     letters = {"beta": beta, "eta": eta, "gamma": gamma, "gamma_bar": gamma_bar}
-    product = sympify(Rational(parts.get("times", "1")))
+    product: Expr = Rational(parts.get("times", "1"))
     for name, power in parts.items():
         if name != "times":
             product = product * letters[name] ** Rational(power)
@@ -102,7 +102,7 @@ def samples(
     expressions: Iterable[Expr], domain: Domain, points: int = POINTS
 ) -> Iterator[tuple[dict[Any, Any], list[Any]]]:
     """Random points of a domain, and the real values of expressions there."""
-    expressions = [sympify(one) for one in expressions]
+    expressions = [sympify(one, strict=True) for one in expressions]
     for point in Sampler(expressions, domain).points(points):
         yield point, [evaluate(one, point, DIGITS).real for one in expressions]
 
