@@ -2,21 +2,27 @@
 
 from __future__ import annotations
 
-from math import acos, asin, atan2, ceil, cos, exp, floor, inf, isfinite, log, pi, sin, sqrt
+from math import acos, asin, atan, atan2, ceil, cos, exp, floor, inf, isfinite, log, pi, sin, sqrt
 
 __all__ = [
     "acos",
+    "any_of",
     "asin",
+    "atan",
     "atan2",
     "ceil",
     "cos",
+    "deepest",
     "epsilon",
     "exp",
     "floor",
     "inf",
     "isfinite",
+    "larger",
+    "less_quarters",
     "log",
     "pi",
+    "pick",
     "real",
     "sin",
     "sqrt",
@@ -36,3 +42,28 @@ def real(name: str, value: object) -> float:
     if not isfinite(number):
         raise ValueError(f"{name} must be finite, got {value!r}")
     return number
+
+
+def less_quarters(angle, quarters):
+    """angle − quarters·π/2, with π/2 in two parts of which the first has 33 bits, so that nothing is lost."""
+    return (angle - quarters * 1.5707963267341256) - quarters * 6.077100506506192e-11
+
+
+def pick(condition, yes, no):
+    """``yes`` where the condition holds, else ``no``."""
+    return yes if condition else no
+
+
+def larger(x, y):
+    """The larger one."""
+    return x if x > y else y
+
+
+def any_of(condition):
+    """Whether the condition holds anywhere."""
+    return condition
+
+
+def deepest(width):
+    """How far down, in the logarithm of the share of a width, the square of an offset is still a number."""
+    return max(40.0, 300 + log(width))

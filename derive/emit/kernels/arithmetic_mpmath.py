@@ -2,23 +2,29 @@
 
 from __future__ import annotations
 
-from mpmath import acos, asin, atan2, cos, eps, exp, inf, isfinite, log, mpf, pi, sin, sqrt
+from mpmath import acos, asin, atan, atan2, cos, eps, exp, inf, isfinite, log, mpf, pi, sin, sqrt
 from mpmath import ceil as mpf_ceil
 from mpmath import floor as mpf_floor
 
 __all__ = [
     "acos",
+    "any_of",
     "asin",
+    "atan",
     "atan2",
     "ceil",
     "cos",
+    "deepest",
     "epsilon",
     "exp",
     "floor",
     "inf",
     "isfinite",
+    "larger",
+    "less_quarters",
     "log",
     "pi",
+    "pick",
     "real",
     "sin",
     "sqrt",
@@ -51,3 +57,28 @@ def real(name, value):
     if not isfinite(number):
         raise ValueError(f"{name} must be finite, got {value!r}")
     return number
+
+
+def less_quarters(angle, quarters):
+    """angle − quarters·π/2."""
+    return angle - quarters * (pi / 2)
+
+
+def pick(condition, yes, no):
+    """``yes`` where the condition holds, else ``no``."""
+    return yes if condition else no
+
+
+def larger(x, y):
+    """The larger one."""
+    return x if x > y else y
+
+
+def any_of(condition):
+    """Whether the condition holds anywhere."""
+    return condition
+
+
+def deepest(width):
+    """How far down, in the logarithm of the share of a width, the square of an offset is still a number: no limit."""
+    return inf

@@ -1,19 +1,18 @@
-"""All tips whose rod has the given length: every sign change of every branch of the time map.
+"""All tips whose rod has the given length: every crossing of the branches of the time map.
 
-From a tip at rest the rod swings between the tip angle and the other turning point. It meets the clamp angle at
-the lengths 2nH + t and 2nH − t, with H the half-swing and t the first arrival: a branch for each n and sign. On a
-piece each branch is a smooth function of the tip that tends to known values at the ends, so its crossings of the
-rod's length are found from a grid fine in the logarithm of the distance to both ends, and from the extrema that
-could touch the length between grid points.
+A motion meets the clamp angle at the lengths 2nH + t and 2nH − t, with H the half-swing and t the first arrival. So
+the tips wanted are those at which (ℓ − t)/(2H) or (ℓ + t)/(2H) is a whole number: two functions of the tip, smooth on a
+piece, whose crossings of whole numbers are found from samples, and from the extrema that could reach one.
 """
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import ceil, epsilon, log, sqrt
-from derive.emit.kernels.timing import Timing, timing_of
-from derive.emit.kernels.tips import tip_at
+from derive.emit.kernels.arithmetic import ceil, deepest, epsilon, floor, inf, log, sqrt
+from derive.emit.kernels.motion import motion_at
+from derive.emit.kernels.pieces import slope
+from derive.emit.kernels.swing import times
 
 
 class Crossing(NamedTuple):
@@ -25,97 +24,214 @@ class Crossing(NamedTuple):
     rising: bool
 
 
-def crossings(beta, eta, length, clamp, piece):
+class Sample(NamedTuple):
+    """Half-swing and first arrival at a place of a piece."""
+
+    place: float
+    swing: float
+    arrival: float
+
+
+class Delay(NamedTuple):
+    """By how much the half-swing and the first arrival grow when the place goes deeper by one, near an end."""
+
+    deepest: float
+    swing: float
+    arrival: float
+
+
+def delays(piece):
+    """The delays at both ends. Beyond the depth at which squares of offsets underflow, they are all that changes."""
+    basin, depth = piece.basin, deepest(piece.width)
+    none = Delay(inf, 0, 0)
+    far = 1 / sqrt(basin.far.stiffness)
+    if piece.low_kind == "level":
+        return Delay(depth, far / 2, 0), none
+    tip = 1 / sqrt(basin.hill.stiffness)
+    low = Delay(depth, tip + (far if basin.far_rise == 0 else 0), tip)
+    if piece.high_kind != "level":
+        return low, none
+    ridge = 1 / sqrt(basin.axis.stiffness)
+    behind = ridge_offset(piece)
+    return low, Delay(depth, ridge, ridge if behind > 0 else ridge / 2 if behind == 0 else 0)
+
+
+def ridge_offset(piece):
+    """Clamp less ridge, for a motion that passes the ridge."""
+    basin = piece.basin
+    if piece.clamp_rest.angle == basin.axis.angle:
+        return piece.clamp_offset
+    return piece.clamp_rest.angle - basin.axis.angle
+
+
+def sample_at(beta, eta, field_angle, piece, ends, place):
+    """The sample at a place, however deep."""
+    low, high = ends
+    if place < -low.deepest:
+        swing, arrival = times(motion_at(beta, eta, field_angle, piece, -low.deepest))
+        more = -low.deepest - place
+        return Sample(place, swing + more * low.swing, arrival + more * low.arrival)
+    if place > high.deepest:
+        swing, arrival = times(motion_at(beta, eta, field_angle, piece, high.deepest))
+        more = place - high.deepest
+        return Sample(place, swing + more * high.swing, arrival + more * high.arrival)
+    return Sample(place, *times(motion_at(beta, eta, field_angle, piece, place)))
+
+
+def crossings(beta, eta, field_angle, length, piece):
     """Every crossing of the rod's length on a piece, as a list of Crossing."""
-    places = grid(beta, eta, length, clamp, piece)
+    ends = delays(piece)
 
-    def timing(place):
-        return timing_of(beta, eta, clamp, tip_at(beta, eta, clamp, piece, place))
+    def sample(place):
+        return sample_at(beta, eta, field_angle, piece, ends, place)
 
-    timings = [timing(place) for place in places]
-    timings[-1] = end_timing(piece, timings[-1])
+    samples = refined(sample, [sample(place) for place in grid(beta, eta, length, piece)], length)
+    end = end_sample(piece, samples[-1])
+    if end is not None:
+        samples.append(end)
     found = []
-    shortest = min(item.swing for item in timings)
-    for turns in range(int(length / (2 * shortest)) + 2):
-        for sign in (1, -1) if turns else (1,):
-
-            def excess(item, turns=turns, sign=sign):
-                return (2 * turns * item.swing if turns else 0) + sign * item.arrival - length
-
-            values = [excess(item) for item in timings]
-            for bracket in brackets(places, values, lambda place, f=excess: f(timing(place))):
-                place = bracketed_root(lambda place, f=excess: f(timing(place)), *bracket)
-                found.append(Crossing(place, turns, sign, bracket[3] > 0))
+    for sign in (1, -1):
+        counts = [(length - sign * item.arrival) / (2 * item.swing) for item in samples]
+        for turns, before, after in brackets(sample, samples, counts, length, sign):
+            if turns or sign > 0:
+                found.append(crossing(sample, turns, sign, length, before, after))
     return found
 
 
-def grid(beta, eta, length, clamp, piece):
-    """Places that part the branches finely: half a unit in the logarithm of the distance to either end.
+def excess(item, turns, sign, length):
+    """The length of a branch less the rod's."""
+    return (2 * turns * item.swing if turns else 0) + sign * item.arrival - length
 
-    At the top and at the side the rod is too long beyond the first place. At the other ends one far place stands
-    for the end itself: the branches tend to it steadily.
-    """
-    rounding = 2 - log(epsilon())
+
+def crossing(sample, turns, sign, length, before, after):
+    """The crossing between two samples on either side of it."""
+
+    def function(place):
+        return excess(sample(place), turns, sign, length)
+
+    low, high = excess(before, turns, sign, length), excess(after, turns, sign, length)
+    return Crossing(bracketed_root(function, before.place, after.place, low, high), turns, sign, high > low)
+
+
+def grid(beta, eta, length, piece):
+    """Places to begin with: near enough where the branches bend, and to where none of them is as short as the rod."""
+    rounding = -log(epsilon())
     slow = length * sqrt(beta + eta)
-    first = -slow - 4
-    last = rounding
+    first = -2 * slow - 6 if piece.low_kind == "level" else -slow - 6
+    first = min(first, -rounding) if piece.low_kind == "level" else first
     if piece.high_kind == "level":
-        last += slow
-    elif piece.high_kind != "rest":
+        last = 2 * slow + rounding
+    elif piece.high_kind == "turn":
+        last = 2 * rounding
+    else:
         # The tip of a stiff rod departs from the clamp angle by half the moment there times the length squared.
-        moment = abs(clamp.drive) * sqrt(clamp.one_plus * clamp.one_minus)
+        moment = abs(slope(eta, piece.clamp_rest, piece.clamp_offset)) + epsilon() ** 20
         last = max(rounding, 4 + log(2 * piece.width) - log(moment) - 2 * log(length))
-    places = [first + 0.5 * k for k in range(ceil(2 * (last - first)) + 1)]
-    before = [first - 2 * rounding - slow] if piece.low_kind == "level" else []
-    after = [places[-1] + 2 * rounding + slow] if piece.high_kind != "rest" else []
-    return [*before, *places, *after]
+    inner = [0.0]
+    for side, end in ((-1, -first), (1, last)):
+        place, step = 0.0, 0.75
+        while True:
+            place += step
+            step *= 1.25
+            if place >= end:
+                break
+            inner.append(side * place)
+        inner.append(side * end)
+    return sorted(inner)
 
 
-def end_timing(piece, last):
-    """The timing at the high end itself, where it is known: arrival at once, or after the whole half-swing."""
-    if piece.high_kind == "clamp":
-        return Timing(last.swing, 0)
+def refined(sample, samples, length):
+    """More samples where half-swing or arrival bend between neighbours."""
+    done, todo = [samples[0]], samples[:0:-1]
+    while todo:
+        before, after = done[-1], todo[-1]
+        if after.place - before.place > 1.5 and len(done) > 1 and bends(done[-2], before, after, length):
+            todo.append(sample((before.place + after.place) / 2))
+        elif after.place - before.place > 1.5 and len(todo) > 1 and bends(before, after, todo[-2], length):
+            middle = sample((before.place + after.place) / 2)
+            todo.append(middle)
+        else:
+            done.append(todo.pop())
+    return done
+
+
+def bends(first, second, third, length):
+    """Whether a straight line through two samples misses the third by more than a little of what counts."""
+    share = (third.place - second.place) / (second.place - first.place)
+    for name in (1, 2):
+        miss = abs(third[name] - second[name] - share * (second[name] - first[name]))
+        if miss > 0.1 * (third[name] + second[name]):
+            return True
+    return False
+
+
+def end_sample(piece, last):
+    """The high end itself, where its times are known: arrival at once, or after the whole half-swing."""
+    if piece.high_kind == "clamp" and piece.clamp_gap == 0 and piece.high_depth > 0:
+        return Sample(last.place + 1e3, last.swing, 0 * last.swing)
     if piece.high_kind == "turn":
-        return Timing(last.swing, last.swing)
-    return last
+        return Sample(last.place + 1e3, last.swing, last.swing)
+    return None
 
 
-def brackets(places, values, function):
-    """Pairs of places with values of opposite sign, those around an extremum between grid points included."""
+def brackets(sample, samples, counts, length, sign):
+    """(turns, sample, sample) for every whole number that the count crosses between two samples."""
     found = []
-    for k in range(1, len(places)):
-        if (values[k - 1] > 0) != (values[k] > 0):
-            found.append((places[k - 1], places[k], values[k - 1], values[k]))
-    for k in range(1, len(places) - 1):
-        before, here, after = values[k - 1], values[k], values[k + 1]
-        if (before > 0) == (here > 0) == (after > 0) and abs(here) <= min(abs(before), abs(after)):
-            place, value = dip(function, places[k - 1], places[k], places[k + 1], values[k - 1 : k + 2])
-            if (value > 0) != (here > 0):
-                found.append((places[k - 1], place, before, value))
-                found.append((place, places[k + 1], value, after))
+    for k in range(1, len(samples)):
+        found += between(samples[k - 1], samples[k], counts[k - 1], counts[k])
+    for k in range(1, len(samples) - 1):
+        before, here, after = counts[k - 1 : k + 2]
+        if (before - here) * (after - here) > 0:
+            found += at_extremum(sample, samples[k - 1 : k + 2], (before, here, after), length, sign)
     return found
 
 
-def dip(function, left, middle, right, values):
-    """The place nearest to zero between left and right by golden sections, or the first beyond zero."""
-    best, positive = values[1], values[1] > 0
-    if abs(best) > 4 * max(abs(values[0] - best), abs(values[2] - best)):
-        return middle, best
+def between(one, other, count_one, count_other):
+    """The whole numbers from the lower count up to, but not at, the higher one."""
+    low, high = (count_one, count_other) if count_one < count_other else (count_other, count_one)
+    return [(turns, one, other) for turns in range(max(ceil(low), 0), max(ceil(high), 0))]
+
+
+def at_extremum(sample, triple, counts, length, sign):
+    """The two crossings beside an extremum of the count that reaches beyond a whole number its samples do not reach."""
+    left, middle, right = triple
+    before, here, after = counts
+    top = here > before
+    # The steeper neighbouring slopes, carried on, bound an extremum of a curve that bends one way.
+    reachable = here + (1 if top else -1) * max(abs(before - here), abs(after - here))
+    goal = ceil(here) if top else floor(here)
+    if (top and (goal > reachable or here == goal)) or (not top and goal < reachable) or goal < 0:
+        return []
+
+    def short(item):
+        count = (length - sign * item.arrival) / (2 * item.swing)
+        return goal - count if top else count - goal
+
+    best = dip(sample, short, left, middle, right)
+    if short(best) >= 0:
+        return []
+    return [(goal, left, best), (goal, best, right)]
+
+
+def dip(sample, short, left, middle, right):
+    """The sample at which ``short`` is least between left and right by golden sections, or the first below zero."""
     golden = (3 - sqrt(5)) / 2
-    while abs(right - left) > 2 * sqrt(epsilon()) * (1 + abs(middle)):
-        wide_right = right - middle > middle - left
-        trial = middle + golden * (right - middle) if wide_right else middle - golden * (middle - left)
-        value = function(trial)
-        if (value > 0) != positive:
-            return trial, value
-        if abs(value) < abs(best):
-            left, right = (middle, right) if wide_right else (left, middle)
-            middle, best = trial, value
-        elif wide_right:
+    value = short(middle)
+    while right.place - left.place > 2 * sqrt(epsilon()) * (1 + abs(middle.place)):
+        wide = right.place - middle.place > middle.place - left.place
+        end = right if wide else left
+        trial = sample(middle.place + golden * (end.place - middle.place))
+        new = short(trial)
+        if new < 0:
+            return trial
+        if new < value:
+            left, right = (middle, right) if wide else (left, middle)
+            middle, value = trial, new
+        elif wide:
             right = trial
         else:
             left = trial
-    return middle, best
+    return middle
 
 
 def bracketed_root(function, a, b, value_a, value_b):
