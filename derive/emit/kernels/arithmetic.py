@@ -2,23 +2,30 @@
 
 from __future__ import annotations
 
-from math import acos, asin, atan, atan2, ceil, cos, exp, floor, inf, isfinite, log, pi, sin, sqrt
+from cmath import atan as complex_atan
+from cmath import sqrt as complex_sqrt
+from math import acos, asin, atan, atan2, ceil, cos, exp, floor, frexp, inf, isfinite, ldexp, log, pi, sin, sqrt
 
 __all__ = [
     "acos",
     "any_of",
+    "arctan_share",
     "asin",
     "atan",
     "atan2",
     "ceil",
+    "complex_of",
+    "complex_sqrt",
     "cos",
     "deepest",
     "epsilon",
     "exp",
     "floor",
+    "frexp",
     "inf",
     "isfinite",
     "larger",
+    "ldexp",
     "less_quarters",
     "log",
     "pi",
@@ -67,3 +74,16 @@ def any_of(condition):
 def deepest(width):
     """How far down, in the logarithm of the share of a width, the square of an offset is still a number."""
     return max(40.0, 300 + log(width))
+
+
+def complex_of(real, imaginary):
+    """The complex number of a real and an imaginary part."""
+    return complex(real, imaginary)
+
+
+def arctan_share(z):
+    """R_C(1, 1 + z) = arctan(√z)/√z for complex z, by its series where z is small (DLMF 19.2.18)."""
+    if abs(z) < 1e-3:
+        return 1 - z * (1 / 3 - z * (1 / 5 - z * (1 / 7 - z * (1 / 9 - z / 11))))
+    root = complex_sqrt(z)
+    return complex_atan(root) / root

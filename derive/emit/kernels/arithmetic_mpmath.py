@@ -2,25 +2,32 @@
 
 from __future__ import annotations
 
-from mpmath import acos, asin, atan, atan2, cos, eps, exp, inf, isfinite, log, mpf, pi, sin, sqrt
+from mpmath import acos, asin, atan, atan2, cos, eps, exp, frexp, inf, isfinite, ldexp, log, mpf, pi, sin, sqrt
 from mpmath import ceil as mpf_ceil
 from mpmath import floor as mpf_floor
+from mpmath import mpc as complex_of
+from mpmath import sqrt as complex_sqrt
 
 __all__ = [
     "acos",
     "any_of",
+    "arctan_share",
     "asin",
     "atan",
     "atan2",
     "ceil",
+    "complex_of",
+    "complex_sqrt",
     "cos",
     "deepest",
     "epsilon",
     "exp",
     "floor",
+    "frexp",
     "inf",
     "isfinite",
     "larger",
+    "ldexp",
     "less_quarters",
     "log",
     "pi",
@@ -82,3 +89,9 @@ def any_of(condition):
 def deepest(width):
     """How far down, in the logarithm of the share of a width, the square of an offset is still a number: no limit."""
     return inf
+
+
+def arctan_share(z):
+    """R_C(1, 1 + z) = arctan(√z)/√z for complex z (DLMF 19.2.18)."""
+    root = complex_sqrt(z)
+    return atan(root) / root if root else complex_of(1)

@@ -4,22 +4,51 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from derive.emit.kernels.arithmetic import pi, sin, sqrt
-from derive.emit.kernels.formulas import curvature_squared, rod_energy, tip_gamma
-from derive.emit.kernels.rods import index_of, straight_index, whole_rod
-from derive.emit.kernels.search import crossings
-from derive.emit.kernels.tips import Tip, clamp_of, mirror_image, pieces, tip_at
+from derive.emit.kernels.arcs import Arc, arc_to, clamp_point, far_point
+from derive.emit.kernels.arithmetic import (
+    cos,
+    epsilon,
+    floor,
+    frexp,
+    inf,
+    ldexp,
+    less_quarters,
+    pi,
+    sin,
+    sqrt,
+)
+from derive.emit.kernels.landscape import landscape
+from derive.emit.kernels.pieces import clamp_in, pieces
+from derive.emit.kernels.search import Stay, crossings, delays, stay_at
+from derive.emit.kernels.swing import phase_of, times
 
 
 @dataclass(frozen=True, slots=True)
 class Rod:
-    """What a shape needs beyond the tip: the rod, whole turns of the clamp angle, and how it was mirrored."""
+    """A rod in units in which β + η is of order one: lengths are 2**scale times the user's.
+
+    field_angle: in (−π/2, π/2]; of the mirrored rod where ``side`` is −1.
+    """
 
     beta: float
     eta: float
     length: float
-    turns: float
-    mirrored: bool
+    clamp_angle: float
+    field_angle: float
+    side: int
+    scale: int
+
+
+@dataclass(frozen=True, slots=True)
+class Swing:
+    """A half-swing of a bent rod, for its shape: how it was found, its length, and its arc. turns: of the clamp."""
+
+    stay: Stay
+    turns: int
+    length: float
+    arc: Arc
+    middle_angle: float
+    far_angle: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +57,7 @@ class Equilibrium:
 
     tip_angle: θ(ℓ), continuous from θ(0) = clamp_angle, not wrapped. clamp_curvature: θ′(0). gamma: constant of
     the first integral. y, z: position of the tip. energy: ∫(½θ′² − ½η(d₃·e)²)ds − β·y, in units of EI. index:
-    number of negative directions of the second variation; 0 means stable. rod and tip carry what ``shape`` needs.
+    number of negative directions of the second variation; 0 means stable. rod and swing carry what ``shape`` needs.
     """
 
     tip_angle: float
@@ -39,50 +68,147 @@ class Equilibrium:
     energy: float
     index: int
     rod: Rod
-    tip: Tip | None
+    swing: Swing | None
 
 
-def all_equilibria(beta, eta, length, clamp_angle):
+def all_equilibria(beta, eta, length, clamp_angle, field_angle, max_index):
     """Every equilibrium, sorted by tip angle: from the tips below the clamp angle, above it, and the straight rod."""
-    turns, clamp = clamp_of(beta, eta, clamp_angle)
-    if clamp.angle == 0 or beta + eta == 0:
-        return [straight_rod(beta, eta, length, clamp_angle, turns, clamp)]
-    found = []
-    for mirrored, seen in ((False, clamp), (True, mirror_image(clamp))):
-        rod = Rod(beta, eta, length, turns, mirrored)
-        for piece in pieces(beta, eta, seen):
-            for crossing in crossings(beta, eta, length, seen, piece):
-                tip = tip_at(beta, eta, seen, piece, crossing.place)
-                found.append(bent_rod(rod, seen, tip, crossing))
-    if clamp.rest == 0 or clamp.drive == 0:
-        found.append(straight_rod(beta, eta, length, clamp_angle, turns, clamp))
+    if beta + eta == 0:
+        return [idle_rod(length, clamp_angle)]
+    most = inf if max_index is None else max_index
+    scale = frexp(beta + eta)[1] // 2
+    field = principal(field_angle)
+    rod = Rod(ldexp(beta, -2 * scale), ldexp(eta, -2 * scale), ldexp(length, scale), clamp_angle, field, 1, scale)
+    found = one_side(rod, most)
+    mirrored = Rod(rod.beta, rod.eta, rod.length, -clamp_angle, reflected(field), -1, scale)
+    found += [item for item in one_side(mirrored, most) if item.swing is not None]
     return sorted(found, key=lambda item: item.tip_angle)
 
 
-def bent_rod(rod, clamp, tip, crossing):
+def principal(field_angle):
+    """The field angle less half turns, in (−π/2, π/2]; one within rounding of a quarter turn is that."""
+    if field_angle == 0 or field_angle == pi / 2:
+        return field_angle
+    half_turns = floor(field_angle / pi + 0.5)
+    angle = less_quarters(field_angle, 2 * half_turns)
+    blur = 2 * epsilon() * abs(field_angle)
+    if abs(angle) <= blur and half_turns:
+        return 0 * angle
+    return pi / 2 if pi / 2 - abs(angle) <= blur else angle
+
+
+def reflected(field_angle):
+    """The field angle seen from the other side of the y axis."""
+    if field_angle == 0 or field_angle == pi / 2:
+        return field_angle
+    return -field_angle
+
+
+def one_side(rod, most):
+    """The equilibria with tips below the clamp angle, and the straight one."""
+    beta, eta, field_angle = rod.beta, rod.eta, rod.field_angle
+    scene = landscape(beta, eta, field_angle)
+    clamp = clamp_in(scene.rests, rod.clamp_angle)
+    found = []
+    for piece in pieces(beta, eta, field_angle, scene, clamp):
+        for crossing in crossings(beta, eta, field_angle, rod.length, piece, most):
+            index = index_of(crossing)
+            if index <= most:
+                found.append(bent_rod(rod, clamp.turns, piece, crossing, index))
+    for rest, offset in zip(scene.rests, clamp.offsets, strict=True):
+        if offset == 0:
+            straight = straight_rod(rod, rest)
+            found += [straight] if straight.index <= most else []
+    return found
+
+
+def bent_rod(rod, turns, piece, crossing, index):
     """The equilibrium of a tip on its branch."""
-    arc = whole_rod(rod.beta, rod.eta, rod.length, clamp, tip, crossing)
-    gamma = tip_gamma(rod.beta, rod.eta, (tip.half_cosine - tip.half_sine) * (tip.half_cosine + tip.half_sine))
-    curvature = crossing.sign * sqrt(max(curvature_squared(tip.drop, tip.level), 0))
+    beta, eta, field_angle, length = rod.beta, rod.eta, rod.field_angle, rod.length
+    stay = stay_at(beta, eta, field_angle, piece, delays(piece), crossing.place)
+    motion, basin = stay.motion, piece.basin
+    phase = phase_of(motion)
+    swing, arrival = times(motion)
+    whole = arc_to(beta, eta, field_angle, motion, far_point(motion), 1, 0, swing)
+    whole = with_stays(eta, field_angle, whole, stay, stay.middle, stay.far, basin)
+    part = arc_to(beta, eta, field_angle, motion, clamp_point(motion, phase), phase.square, phase.rest, arrival)
+    part = with_stays(eta, field_angle, part, stay, stay.arrival, 0, basin)
+    both, sign = 2 * crossing.turns, crossing.sign
+    y, z, square = (float(both * a + sign * b) for a, b in zip(whole, part, strict=True))
+    speed = phase.delta * phase.whole / (motion.end * motion.sine)
+    speed = speed * sqrt(2 * sin(motion.done / 2) * sin(motion.left / 2))
+    aligned = cos(motion.tip - field_angle)
+    gamma = 2 * beta * cos(motion.tip) + eta * aligned * aligned
+    energy = gamma * length / 2 - 2 * beta * y - square
+    scale = rod.scale
+    total = swing + stay.tip + stay.middle + stay.far
     return Equilibrium(
-        2 * pi * (rod.turns + 1) - tip.angle if rod.mirrored else 2 * pi * rod.turns + tip.angle,
-        curvature if rod.mirrored else -curvature,
-        gamma,
-        arc.y,
-        -arc.z if rod.mirrored else arc.z,
-        rod_energy(rod.beta, gamma, rod.length, arc.y, arc.square),
-        index_of(crossing),
+        rod.side * (motion.tip + 2 * pi * turns),
+        -rod.side * sign * ldexp(speed, scale),
+        ldexp(gamma, 2 * scale),
+        ldexp(y, -scale),
+        rod.side * ldexp(z, -scale),
+        ldexp(energy, scale),
+        index,
         rod,
-        tip,
+        Swing(stay, turns, total, whole, basin.axis.angle, basin.far.angle),
     )
 
 
-def straight_rod(beta, eta, length, clamp_angle, turns, clamp):
-    """The rod that stays straight: its clamp angle is an equilibrium direction, or nothing acts on it."""
-    xi = clamp.one_plus - 1
-    gamma = tip_gamma(beta, eta, xi)
-    sine = 0 if clamp.rest == 0 or clamp.angle == 0 else sin(clamp_angle)
-    energy = rod_energy(beta, gamma, length, xi * length, eta * xi * xi * length)
-    rod = Rod(beta, eta, length, turns, False)
-    index = straight_index(beta, eta, xi, length)
-    return Equilibrium(clamp_angle, 0, gamma, xi * length, sine * length, energy, index, rod, None)
+def with_stays(eta, field_angle, arc, stay, middle, far, basin):
+    """An arc with the straight lengths along the directions at which the motion nearly rests."""
+    y, z, square = arc
+    for angle, extent in ((stay.motion.tip, stay.tip), (basin.axis.angle, middle), (basin.far.angle, far)):
+        aligned = cos(angle - field_angle)
+        y, z, square = y + extent * cos(angle), z + extent * sin(angle), square + extent * eta * aligned * aligned
+    return Arc(y, z, square)
+
+
+def index_of(crossing):
+    """Number of conjugate points of the free end on the rod (Sturm: one in each half-swing, and a last one or none).
+
+    h = ∂θ/∂θ_ℓ solves the second variation with h = 1, h′ = 0 at the tip; θ′ solves it too and vanishes once a
+    half-swing, so h vanishes once in each. Whether it has vanished in the last, unfinished one is told by the sign
+    of h at the clamp, which is against that of dθ/dσ times the slope of the branch.
+    """
+    swings = 2 * crossing.turns - (1 if crossing.sign < 0 else 0)
+    positive = crossing.rising != (crossing.sign > 0)
+    return swings if positive == (swings % 2 == 0) else swings + 1
+
+
+def straight_rod(rod, rest):
+    """The rod that stays straight, for its clamp angle is a direction without moment."""
+    cosine, sine = direction(rest)
+    along = cos(rest.angle - rod.field_angle)
+    gamma = 2 * rod.beta * cosine + rod.eta * along * along
+    soft = -rest.stiffness
+    index = floor(rod.length * sqrt(soft) / pi + 0.5) if soft > 0 else 0
+    energy = -(rod.beta * cosine + rod.eta * along * along / 2) * rod.length
+    length = ldexp(rod.length, -rod.scale)
+    return Equilibrium(
+        rod.side * rod.clamp_angle,
+        0 * length,
+        ldexp(gamma, 2 * rod.scale),
+        cosine * length,
+        rod.side * sine * length,
+        ldexp(energy, rod.scale),
+        index,
+        rod,
+        None,
+    )
+
+
+def idle_rod(length, clamp_angle):
+    """The rod on which nothing acts."""
+    rod = Rod(0 * length, 0 * length, length, clamp_angle, 0 * length, 1, 0)
+    nothing = 0 * length
+    y, z = length * cos(clamp_angle), length * sin(clamp_angle)
+    return Equilibrium(clamp_angle, nothing, nothing, y, z, nothing, 0, rod, None)
+
+
+def direction(rest):
+    """cos and sin of a direction, exact for whole quarter turns."""
+    cosine, sine = cos(rest.extra), sin(rest.extra)
+    for _ in range(rest.quarters % 4):
+        cosine, sine = -sine, cosine
+    return cosine, sine

@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import ceil, deepest, epsilon, floor, inf, log, sqrt
-from derive.emit.kernels.motion import motion_at
+from derive.emit.kernels.motion import Motion, motion_at
 from derive.emit.kernels.pieces import slope
 from derive.emit.kernels.swing import times
 
@@ -33,53 +33,71 @@ class Sample(NamedTuple):
 
 
 class Delay(NamedTuple):
-    """By how much the half-swing and the first arrival grow when the place goes deeper by one, near an end."""
+    """By how much a motion lasts longer when the place goes deeper by one, where that is all that changes.
+
+    Near an end the rod is straight for long along the directions at which the motion nearly rests: at the tip, in the
+    middle, and at the far turning point. arrival: the share of ``middle`` before the first arrival.
+    """
 
     deepest: float
-    swing: float
+    tip: float
+    middle: float
+    far: float
+    arrival: float
+
+
+NO_DELAY = Delay(inf, 0, 0, 0, 0)
+
+
+class Stay(NamedTuple):
+    """A motion, and the lengths for which it stays near its tip, its middle, and its far turning point besides."""
+
+    motion: Motion
+    tip: float
+    middle: float
+    far: float
     arrival: float
 
 
 def delays(piece):
-    """The delays at both ends. Beyond the depth at which squares of offsets underflow, they are all that changes."""
+    """The delays at both ends, beyond the depth at which squares of offsets would underflow."""
     basin, depth = piece.basin, deepest(piece.width)
-    none = Delay(inf, 0, 0)
     far = 1 / sqrt(basin.far.stiffness)
     if piece.low_kind == "level":
-        return Delay(depth, far / 2, 0), none
-    tip = 1 / sqrt(basin.hill.stiffness)
-    low = Delay(depth, tip + (far if basin.far_rise == 0 else 0), tip)
+        return Delay(depth, 0, 0, far / 2, 0), NO_DELAY
+    low = Delay(depth, 1 / sqrt(basin.hill.stiffness), 0, far if basin.far_rise == 0 else 0, 0)
     if piece.high_kind != "level":
-        return low, none
+        return low, NO_DELAY
     ridge = 1 / sqrt(basin.axis.stiffness)
     behind = ridge_offset(piece)
-    return low, Delay(depth, ridge, ridge if behind > 0 else ridge / 2 if behind == 0 else 0)
+    return low, Delay(depth, 0, ridge, 0, ridge if behind > 0 else ridge / 2 if behind == 0 else 0)
 
 
 def ridge_offset(piece):
     """Clamp less ridge, for a motion that passes the ridge."""
-    basin = piece.basin
-    if piece.clamp_rest.angle == basin.axis.angle:
-        return piece.clamp_offset
-    return piece.clamp_rest.angle - basin.axis.angle
+    ridge, rest = piece.basin.axis, piece.clamp_rest
+    return piece.clamp_offset if rest.angle == ridge.angle else rest.angle - ridge.angle
+
+
+def stay_at(beta, eta, field_angle, piece, ends, place):
+    """The motion of the tip at a place, however deep."""
+    low, high = ends
+    delay = low if place < 0 else high
+    depth = min(abs(place), delay.deepest)
+    more = abs(place) - depth
+    motion = motion_at(beta, eta, field_angle, piece, -depth if place < 0 else depth)
+    return Stay(motion, more * delay.tip, more * delay.middle, more * delay.far, more * delay.arrival)
 
 
 def sample_at(beta, eta, field_angle, piece, ends, place):
-    """The sample at a place, however deep."""
-    low, high = ends
-    if place < -low.deepest:
-        swing, arrival = times(motion_at(beta, eta, field_angle, piece, -low.deepest))
-        more = -low.deepest - place
-        return Sample(place, swing + more * low.swing, arrival + more * low.arrival)
-    if place > high.deepest:
-        swing, arrival = times(motion_at(beta, eta, field_angle, piece, high.deepest))
-        more = place - high.deepest
-        return Sample(place, swing + more * high.swing, arrival + more * high.arrival)
-    return Sample(place, *times(motion_at(beta, eta, field_angle, piece, place)))
+    """The sample at a place."""
+    stay = stay_at(beta, eta, field_angle, piece, ends, place)
+    swing, arrival = times(stay.motion)
+    return Sample(place, swing + stay.tip + stay.middle + stay.far, arrival + stay.tip + stay.arrival)
 
 
-def crossings(beta, eta, field_angle, length, piece):
-    """Every crossing of the rod's length on a piece, as a list of Crossing."""
+def crossings(beta, eta, field_angle, length, piece, most):
+    """Every crossing of the rod's length on a piece whose index can be at most ``most``, as a list of Crossing."""
     ends = delays(piece)
 
     def sample(place):
@@ -93,7 +111,8 @@ def crossings(beta, eta, field_angle, length, piece):
     for sign in (1, -1):
         counts = [(length - sign * item.arrival) / (2 * item.swing) for item in samples]
         for turns, before, after in brackets(sample, samples, counts, length, sign):
-            if turns or sign > 0:
+            # At least 2·turns − 1 conjugate points, or one more on the branch that has gone on.
+            if (turns or sign > 0) and 2 * turns - (sign < 0) <= most:
                 found.append(crossing(sample, turns, sign, length, before, after))
     return found
 

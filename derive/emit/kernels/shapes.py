@@ -1,66 +1,64 @@
-"""The shape of a rod along its length, elementwise in the arc length."""
+"""The shape of a rod along its length."""
 
 from __future__ import annotations
 
-from derive.emit.kernels.agm import agm, half_period, root_ratios
-from derive.emit.kernels.arithmetic import pi, sqrt
-from derive.emit.kernels.array_arithmetic import each_abs, each_atan2, each_floor, each_where
-from derive.emit.kernels.formulas import arc_y, arc_z
-from derive.emit.kernels.rods import arc_to, half_period_point
-from derive.emit.kernels.timing import roots_of
+from derive.emit.kernels.arcs import Arc, Point, arc_to
+from derive.emit.kernels.arithmetic import atan2, cos, floor, ldexp, pi, sin, sqrt
+from derive.emit.kernels.swing import phase_at
 
 
 def angle_and_position(equilibrium, s):
-    """θ, θ′, y and z at arc lengths s from the clamp."""
-    if equilibrium.tip is None:
-        angle = equilibrium.tip_angle
-        slope = s / equilibrium.rod.length
-        return angle + 0 * s, 0 * s, equilibrium.y * slope, equilibrium.z * slope
-    rod, tip = equilibrium.rod, equilibrium.tip
-    angle, turning, y, z = from_tip(rod.beta, rod.eta, tip, rod.length - s)
-    if rod.mirrored:
-        return 2 * pi * (rod.turns + 1) - angle, turning, equilibrium.y - y, equilibrium.z + z
-    return 2 * pi * rod.turns + angle, -turning, equilibrium.y - y, equilibrium.z - z
+    """θ, θ′, y and z at an arc length s from the clamp."""
+    rod, swing = equilibrium.rod, equilibrium.swing
+    if swing is None:
+        share = s / ldexp(rod.length, -rod.scale)
+        return equilibrium.tip_angle + 0 * s, 0 * s, equilibrium.y * share, equilibrium.z * share
+    sigma = rod.length - ldexp(s, rod.scale)
+    count = floor(sigma / swing.length)
+    within = sigma - count * swing.length
+    back = count % 2 == 1
+    angle, speed, arc = within_swing(rod, swing, swing.length - within if back else within)
+    times = count + 1 if back else count
+    sign = -1 if back else 1
+    y = equilibrium.y - ldexp(times * swing.arc.y + sign * arc.y, -rod.scale)
+    z = equilibrium.z - rod.side * ldexp(times * swing.arc.z + sign * arc.z, -rod.scale)
+    return rod.side * (angle + 2 * pi * swing.turns), -rod.side * sign * ldexp(speed, rod.scale), y, z
 
 
-def from_tip(beta, eta, tip, sigma):
-    """θ, dθ/dσ, ∫₀^σ cos θ and ∫₀^σ sin θ at arc lengths σ from the tip.
+def within_swing(rod, swing, length):
+    """θ, dθ/dσ and the arc at a length from the tip within the first half-swing.
 
-    tan(θ/2) is tan(θ_ℓ/2) times the square root of (℘ − e₊)/(℘ − e₋), so it is one ratio of cn, dn and 1.
+    Where the motion stays near its tip, its middle or its far turning point, the rod is straight.
     """
-    roots = roots_of(beta, eta, tip)
-    passes = eta <= beta or tip.passes
-    steps = agm(sqrt(roots.long_gap), sqrt(roots.short_gap))
-    half = half_period(steps)
-    waves = each_floor(sigma / (2 * half) + 0.5)
-    within = sigma - 2 * half * waves
-    r, cn, dn = root_ratios(steps, each_abs(within))
-    ratios = {roots.order[0]: cn, roots.order[1]: dn, roots.order[2]: 1}
-    side = each_where(within < 0, -1, 1)
-    # Through π the motion of θ takes two periods of ℘: every other one is its mirror image.
-    flip = each_where(waves % 2 == 0, 1, -1) if passes else 1
-    up = tip.half_sine * ratios["+"]
-    across = tip.half_cosine * ratios["-"] * flip
-    swing = dn if passes else cn
-    drive = tip.drive
-    turning = 2 * tip.half_sine * tip.half_cosine * drive * r * swing * side * flip / (up * up + across * across)
-    y, z = part_arc(beta, eta, tip, sigma, r, ratios)
-    whole = arc_to(beta, eta, tip, half_period_point(beta, eta, tip))
-    xi_tip = (tip.half_cosine - tip.half_sine) * (tip.half_cosine + tip.half_sine)
-    y = xi_tip * sigma + 2 * waves * (whole.y - xi_tip * half) + side * y
-    z = flip * side * z + (0 if passes else 2 * waves * whole.z)
-    return 2 * each_atan2(up, across), turning, y, z
+    stay, motion = swing.stay, swing.stay.motion
+    regular = swing.length - stay.tip - stay.middle - stay.far
+    tip = min(length, stay.tip)
+    rest = length - tip
+    before = min(rest, regular / 2) if stay.middle > 0 else min(rest, regular)
+    middle = min(rest - before, stay.middle)
+    here = min(before + max(rest - before - middle, 0), regular)
+    far = max(rest - middle - here, 0)
+    angle, speed, arc = regular_part(rod, motion, here)
+    for straight, extent in ((motion.tip, tip), (swing.middle_angle, middle), (swing.far_angle, far)):
+        if extent > 0:
+            arc = Arc(arc.y + extent * cos(straight), arc.z + extent * sin(straight), arc.square)
+    return angle, speed, arc
 
 
-def part_arc(beta, eta, tip, sigma, r, ratios):
-    """∫(cos θ − ξ_ℓ) and ∫sin θ from the tip to a point of the first half-period.
-
-    The arguments of Carlson's integrals are (℘ − e)r², finite at the tip too; by homogeneity the integral of the
-    third kind then takes a factor r³ and the elementary one a factor r.
-    """
-    plus, minus = 2 * tip.half_cosine**2, 2 * tip.half_sine**2
-    scaled = [ratios[name] * ratios[name] + 0 * r for name in "+-o"]
-    drive = tip.drive
-    y = r**3 * arc_y(eta * r * r, plus, minus, drive, 0, 0, *scaled)
-    z = r * arc_z(eta * r * r, plus, minus, 2 * tip.half_sine * tip.half_cosine, scaled[2])
-    return y, z
+def regular_part(rod, motion, length):
+    """θ, dθ/dσ and the arc by the motion alone: ℘ − e₁ from ψ, and the half-angle from ℘."""
+    if length <= 0:
+        return motion.tip, 0 * length, Arc(0, 0, 0)
+    a, b = motion.end / 2, motion.middle / 2
+    square, rest = phase_at(a, b, length)
+    delta = sqrt(a * a * rest + b * b * square)
+    strength = motion.near_moment / 4
+    one = a * a * a * a * rest / (square * delta * delta)
+    cosine = cos(motion.half_width)
+    half = atan2(motion.sine, one * motion.sine / strength + cosine)
+    product = a * a * (1 + rest) / square - one
+    point = Point(strength, one + strength * cosine / motion.sine, one, product, 2 * delta / sqrt(square))
+    arc = arc_to(rod.beta, rod.eta, rod.field_angle, motion, point, square, rest, length)
+    # dx/dσ = −2√X₁X₂X₃ and x = b cot(δ/2).
+    speed = 4 * sqrt(one) * product * sin(half) * sin(half) / strength
+    return motion.tip + 2 * half, speed, arc

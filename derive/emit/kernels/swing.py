@@ -1,40 +1,98 @@
-"""How long a motion takes: the half-swing and the first arrival, by the arithmetic-geometric mean."""
+"""How long a motion takes, by the arithmetic-geometric mean: the half-swing, the first arrival, and back."""
 
 from __future__ import annotations
+
+from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import any_of, atan2, epsilon, pi, pick, sin, sqrt
 
 
-def times(motion):
-    """Half-swing, and the length from the tip to the clamp.
+class Phase(NamedTuple):
+    """Where on its half-swing the motion meets the clamp.
 
-    With tan(χ/2) at the clamp, Gauss's transformation makes end and middle equal (DLMF 19.8(i), 22.7(ii)), in sums of
-    positive terms only. The half of the swing is taken in which the clamp lies.
+    The length from the tip is ∫dψ/√(a² cos²ψ + b² sin²ψ) from 0 to ψ, with a and b half of ``end`` and ``middle``; the
+    half-swing ends at ψ = π/2. whole, delta: what the speed there follows from.
     """
+
+    square: float  # sin²ψ
+    rest: float  # cos²ψ
+    whole: float
+    delta: float
+
+
+def phase_of(motion):
+    """The phase of the clamp, from χ by the duplication of an elliptic argument (DLMF 22.6(iii))."""
     near, far = sqrt(motion.near), sqrt(motion.far)
     done, left = far * sin(motion.done / 2), near * sin(motion.left / 2)
     # left − done, where the motion is symmetric by the sines, and else by the difference of its ends.
     ahead = 2 * near * motion.half_cosine * sin((motion.left - motion.done) / 4)
     ahead = ahead - 2 * motion.skew * motion.sine * sin(motion.done / 2) / (near + far)
-    whole = (done + left) * (done + left)
-    square, rest = 4 * done * left / whole, ahead * ahead / whole
-    first = ahead >= 0
+    whole = done + left
+    square, cosine = 4 * done * left / (whole * whole), ahead / whole
     a, b = motion.end, motion.middle
-    limit = epsilon() ** 0.5
-    while any_of(abs(a - b) > limit * a):
+    delta = sqrt(a * a * cosine * cosine + b * b * square)
+    first = cosine >= 0
+    versine = pick(first, square / (1 + abs(cosine)), 1 - cosine)
+    along = pick(first, delta + a * cosine, b * b * square / (delta + a * abs(cosine)))
+    return Phase(a * versine / (a + delta), along / (a + delta), whole, delta)
+
+
+def times(motion):
+    """Half-swing, and the length from the tip to the clamp."""
+    phase = phase_of(motion)
+    return lengths(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
+
+
+def lengths(a, b, square, rest):
+    """The complete and the incomplete integral of 1/√(a² cos²ψ + b² sin²ψ), by sin²ψ and cos²ψ.
+
+    Gauss's transformation makes a and b equal (DLMF 19.8(i), 19.8(iii)); it is written in sums of positive terms only.
+    """
+    limit, more = 2 * epsilon() ** 0.5, True
+    while more:
+        more = any_of(abs(a - b) > limit * a)
         delta = sqrt(a * a * rest + b * b * square)
-        below = (a + delta) * (a + delta)
-        square, rest = (
-            (a + b) * (a + b) * square / below,
-            2 * a * rest * (a + (a * a + b * b * square) / (delta + b * square)) / below,
-        )
-        a, b = (a + b) / 2, sqrt(a * b)
-    delta = sqrt(a * a * rest + b * b * square)
-    below = (a + delta) * (a + delta)
-    square, rest = (
-        (a + b) * (a + b) * square / below,
-        2 * a * rest * (a + (a * a + b * b * square) / (delta + b * square)) / below,
-    )
+        total, below = a + b, a + delta
+        inner = a + (a * a + b * b * square) / (delta + b * square)
+        scale = below * below
+        square, rest = total * total * square / scale, 2 * a * rest * inner / scale
+        a, b = total / 2, sqrt(a * b)
     mean = (a + b) / 2
-    swing, part = pi / mean, atan2(sqrt(square), sqrt(rest)) / mean
-    return swing, pick(first, part, swing - part)
+    return pi / (2 * mean), atan2(sqrt(square), sqrt(rest)) / mean
+
+
+def second_kind(a, b, square, rest, arrival):
+    """(b² − a²)∫sin²ψ over the same range as ``arrival``, the length, by the same transformation (DLMF 19.8.19)."""
+    limit, more, weight, total = 2 * epsilon() ** 0.5, True, 1, 0
+    while more:
+        more = any_of(abs(a - b) > limit * a)
+        delta = sqrt(a * a * rest + b * b * square)
+        total = total - weight * (a - b) * (a + b) * (arrival / 2 - sqrt(square * rest) / (a + delta))
+        sum_, below = a + b, a + delta
+        inner = a + (a * a + b * b * square) / (delta + b * square)
+        scale = below * below
+        square, rest = sum_ * sum_ * square / scale, 2 * a * rest * inner / scale
+        a, b, weight = sum_ / 2, sqrt(a * b), 2 * weight
+    return total
+
+
+def phase_at(a, b, length):
+    """sin²ψ and cos²ψ at a length from the tip within the half-swing: the transformation undone."""
+    limit = 2 * epsilon() ** 0.5
+    steps = [(a, b)]
+    while any_of(abs(a - b) > limit * a):
+        a, b = (a + b) / 2, sqrt(a * b)
+        steps.append((a, b))
+    a, b = (a + b) / 2, sqrt(a * b)
+    mean = (a + b) / 2
+    quarter = pi / (2 * mean)
+    first = 2 * length <= quarter
+    small = sin(mean * pick(first, length, quarter - length))
+    small = small * small
+    square, rest = pick(first, small, 1 - small), pick(first, 1 - small, small)
+    for a, b in reversed(steps):
+        total, half_gap = a + b, a - b
+        below = total + half_gap * square
+        wide = total * total - half_gap * half_gap * square
+        square, rest = 4 * a * a * square / (below * below), rest * wide / (below * below)
+    return square, rest

@@ -1,0 +1,118 @@
+"""Where a motion leads: ∫e^{iθ} and the energy from the tip to a point, by Carlson's integrals (DLMF 19.36(i))."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from derive.emit.kernels.arithmetic import any_of, arctan_share, complex_of, complex_sqrt, cos, epsilon, pick, sin, sqrt
+from derive.emit.kernels.swing import second_kind
+
+
+class Point(NamedTuple):
+    """A point of a motion by ℘ − c = x and ℘ − e at its three half-period values.
+
+    one: ℘ − e₁, with e₁ that of the far turning point. product, root_sum: √(℘ − e₂)√(℘ − e₃) and √(℘ − e₂) + √(℘ − e₃),
+    real also where e₂ and e₃ are a complex pair.
+    """
+
+    strength: float  # b
+    pole: float  # x
+    one: float
+    product: float
+    root_sum: float
+
+
+class Arc(NamedTuple):
+    """A stretch of rod from the tip: ∫cos θ, ∫sin θ and η∫cos²(θ − α)."""
+
+    y: float
+    z: float
+    square: float
+
+
+def clamp_point(motion, phase):
+    """The point where the motion meets the clamp."""
+    strength = motion.near_moment / 4
+    sine, cosine = sin(motion.done / 2), cos(motion.done / 2)
+    one = strength * sin(motion.left / 2) / (sine * motion.sine)
+    product = sqrt(motion.near) * phase.delta * phase.whole / (8 * motion.end * sine)
+    a, b = motion.end, motion.middle
+    root_sum = sqrt((a * a * phase.rest + b * b * phase.square) / phase.square)
+    return Point(strength, strength * cosine / sine, one, product, root_sum)
+
+
+def far_point(motion):
+    """The far turning point."""
+    strength = motion.near_moment / 4
+    cosine = cos(motion.half_width)
+    return Point(strength, strength * cosine / motion.sine, 0, motion.end * motion.end / 4, motion.middle)
+
+
+def arc_to(beta, eta, field_angle, motion, point, square, rest, extent):
+    """The arc from the tip to a point, at ψ, of the given length."""
+    lean = motion.tip - field_angle
+    strength = point.strength
+    spread = strength * strength * eta / 4
+    twist = complex_of(spread * cos(2 * lean), spread * sin(2 * lean))
+    third = rj_pair(point.one, point.product, point.root_sum, complex_of(point.pole, -strength), twist)
+    excess = complex_of(0, 2 * strength / 3) * third
+    direction = complex_of(cos(motion.tip), sin(motion.tip))
+    place = direction * (extent + excess)
+    return Arc(place.real, place.imag, arc_square(beta, eta, lean, motion, point, square, rest, extent, excess))
+
+
+def arc_square(beta, eta, lean, motion, point, square, rest, extent, excess):
+    """η∫cos²(θ − α) from the tip to a point."""
+    a, b = motion.end / 2, motion.middle / 2
+    strength, x = point.strength, point.pole
+    growth = beta * cos(motion.tip) + eta * cos(2 * lean)
+    cubic = beta * sin(motion.tip) - eta * sin(lean) * cos(lean)
+    first = strength * cos(motion.half_width) / motion.sine
+    pair_sum = -growth / 4 - first
+    pair_product = strength * cubic / 4 - first * pair_sum
+    delta = sqrt(a * a * rest + b * b * square)
+    kink = 4 * (b - a) * (b + a) * sqrt(square * rest) / delta
+    # x² − x√(X₂X₃), where it would cancel by what X₂X₃ is in x.
+    gap = (x * pair_sum - pair_product) / (abs(x) + point.product)
+    gap = pick(x > 0, x * gap, x * x - x * point.product)
+    kink = kink + 2 * sqrt(point.one) * (strength * strength + gap) / (x * x + strength * strength)
+    second = 4 * second_kind(a, b, square, rest, extent)
+    linear = 2 * (a * a - first) * extent
+    turned = excess * complex_of(growth / 2, 3 * strength - cubic / 4)
+    double = complex_of(cos(2 * lean), sin(2 * lean)) * (extent + 2 * excess)
+    part = -eta * double.real / 4 + kink + second + linear + turned.real
+    return eta * extent / 2 - 2 * part
+
+
+def rj_pair(x, product, root_sum, p, twist):
+    """R_J(x, y, z, p) by duplication, for x ≥ 0, y and z by √y√z and √y + √z, complex p, and twist = (p − x)(p − y)(p − z).
+
+    Sums of positive terms only in x, y, z; the rod gives the twist without cancellation.
+    """
+    pair = root_sum * root_sum - 2 * product
+    mean = start = (x + pair + 2 * p) / 5
+    one, two = start - x, 2 * start - pair
+    both = start * start - start * pair + product * product
+    reach = abs(one) + abs(start - p) + sqrt(abs(both))
+    target = (epsilon() / 4) ** 0.125
+    scale, total = 1, 0
+    while any_of(reach > target * scale * abs(mean)):
+        root, root_p = sqrt(x), complex_sqrt(p)
+        shift = product + root * root_sum
+        d = (root_p + root) * (p + root_p * root_sum + product)
+        total = total + arctan_share(twist / (scale * scale * scale * d * d)) / (scale * d)
+        lifted = sqrt(x + shift)
+        product, root_sum = root_sum * lifted / 4, sqrt(root_sum * (root_sum + 2 * root + 2 * lifted)) / 2
+        x, p, mean = (x + shift) / 4, (p + shift) / 4, (mean + shift) / 4
+        scale *= 4
+    size = scale * mean
+    a, b, c = one / size, two / size, both / (size * size)
+    d = -(a + b) / 2
+    e2 = a * b + c - 3 * d * d
+    e3 = a * c + 2 * e2 * d + 4 * d * d * d
+    e4 = (2 * a * c + e2 * d + 3 * d * d * d) * d
+    e5 = a * c * d * d
+    low = -3 * e2 / 14 + e3 / 6 + 9 * e2 * e2 / 88 - 3 * e4 / 22 - 9 * e2 * e3 / 52 + 3 * e5 / 26
+    high = -e2 * e2 * e2 / 16 + 3 * e3 * e3 / 40 + 3 * e2 * e4 / 20 + 45 * e2 * e2 * e3 / 272
+    high = high - 9 * (e3 * e4 + e2 * e5) / 68
+    return (1 + low + high) / (scale * mean * complex_sqrt(mean)) + 6 * total
