@@ -54,11 +54,20 @@ def arc_to(beta, eta, field_angle, motion, point, square, rest, extent):
     strength = point.strength
     spread = strength * strength * eta / 4
     twist = complex_of(spread * cos(2 * lean), spread * sin(2 * lean))
-    third = rj_pair(point.one, point.product, point.root_sum, complex_of(point.pole, -strength), twist)
+    pole, less = complex_of(point.pole, -strength), complex_of(point.pole - point.one, -strength)
+    lift = complex_of(lift_of(motion, square, rest), -strength)
+    third = rj_pair(point.one, point.product, point.root_sum, pole, lift, less, twist)
     excess = complex_of(0, 2 * strength / 3) * third
     direction = complex_of(cos(motion.tip), sin(motion.tip))
     place = direction * (extent + excess)
     return Arc(place.real, place.imag, arc_square(beta, eta, lean, motion, point, square, rest, extent, excess))
+
+
+def lift_of(motion, square, rest):
+    """x + √(X₂X₃), which is small where the motion is nearly a whole turn."""
+    near, far = sqrt(motion.near), sqrt(motion.far)
+    turn = 2 * motion.skew * motion.sine / (near + far) + 2 * near * motion.half_cosine * motion.half_cosine
+    return near * (turn + 2 * far * rest / square) / 8
 
 
 def arc_square(beta, eta, lean, motion, point, square, rest, extent, excess):
@@ -71,11 +80,14 @@ def arc_square(beta, eta, lean, motion, point, square, rest, extent, excess):
     pair_sum = -growth / 4 - first
     pair_product = strength * cubic / 4 - first * pair_sum
     delta = sqrt(a * a * rest + b * b * square)
-    kink = 4 * (b - a) * (b + a) * sqrt(square * rest) / delta
-    # x² − x√(X₂X₃), where it would cancel by what X₂X₃ is in x.
-    gap = (x * pair_sum - pair_product) / (abs(x) + point.product)
-    gap = pick(x > 0, x * gap, x * x - x * point.product)
-    kink = kink + 2 * sqrt(point.one) * (strength * strength + gap) / (x * x + strength * strength)
+    across = sqrt(square * rest)
+    root = sqrt(point.one)
+    far = 4 * delta * across / square - 2 * root * (1 + x * point.product / (x * x + strength * strength))
+    # Towards the tip the terms above are large and cancel; x² − x√(X₂X₃) is told by what X₂X₃ is in x.
+    gap = x * (x * pair_sum - pair_product) / (abs(x) + point.product)
+    near = 4 * (b - a) * (b + a) * across / delta
+    near = near + 2 * root * (strength * strength + gap) / (x * x + strength * strength)
+    kink = pick(x > 1, near, far)
     second = 4 * second_kind(a, b, square, rest, extent)
     linear = 2 * (a * a - first) * extent
     turned = excess * complex_of(growth / 2, 3 * strength - cubic / 4)
@@ -84,10 +96,11 @@ def arc_square(beta, eta, lean, motion, point, square, rest, extent, excess):
     return eta * extent / 2 - 2 * part
 
 
-def rj_pair(x, product, root_sum, p, twist):
-    """R_J(x, y, z, p) by duplication, for x ≥ 0, y and z by √y√z and √y + √z, complex p, and twist = (p − x)(p − y)(p − z).
+def rj_pair(x, product, root_sum, p, lift, less, twist):
+    """R_J(x, y, z, p) by duplication, for x ≥ 0, complex p, and y and z by √y√z and √y + √z.
 
-    Sums of positive terms only in x, y, z; the rod gives the twist without cancellation.
+    lift, less, twist: p + √y√z, p − x and (p − x)(p − y)(p − z), which the rod gives without cancellation. Sums of
+    positive terms only in x, y, z. Where √p and −√y are near each other, their sum follows from their difference.
     """
     pair = root_sum * root_sum - 2 * product
     mean = start = (x + pair + 2 * p) / 5
@@ -98,12 +111,17 @@ def rj_pair(x, product, root_sum, p, twist):
     scale, total = 1, 0
     while any_of(reach > target * scale * abs(mean)):
         root, root_p = sqrt(x), complex_sqrt(p)
-        shift = product + root * root_sum
-        d = (root_p + root) * (p + root_p * root_sum + product)
-        total = total + arctan_share(twist / (scale * scale * scale * d * d)) / (scale * d)
-        lifted = sqrt(x + shift)
+        side, across = root_p * root_sum, root * root_sum
+        plus, minus = lift + side, lift - side
+        cancels = (abs(plus) < abs(minus)) & (scale == 1)
+        d = (root_p + root) * pick(cancels, twist / (less * pick(cancels, minus, 1)), plus)
+        raised, lifted = lift + across, sqrt(x + product + across)
+        end = 2 * root_p * raised / d
+        total = total + arctan_share(twist / (scale * scale * scale * d * d), end) / (scale * d)
+        pair = root_sum * (root_sum + 2 * root) / 4
+        x, p = (x + product + across) / 4, raised / 4
         product, root_sum = root_sum * lifted / 4, sqrt(root_sum * (root_sum + 2 * root + 2 * lifted)) / 2
-        x, p, mean = (x + shift) / 4, (p + shift) / 4, (mean + shift) / 4
+        lift, mean = p + product, (x + pair + 2 * p) / 5
         scale *= 4
     size = scale * mean
     a, b, c = one / size, two / size, both / (size * size)

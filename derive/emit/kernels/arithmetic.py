@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from cmath import atan as complex_atan
+from cmath import log as complex_log
 from cmath import sqrt as complex_sqrt
 from math import acos, asin, atan, atan2, ceil, cos, exp, floor, frexp, inf, isfinite, ldexp, log, pi, sin, sqrt
 
@@ -81,9 +81,9 @@ def complex_of(real, imaginary):
     return complex(real, imaginary)
 
 
-def arctan_share(z):
-    """R_C(1, 1 + z) = arctan(√z)/√z for complex z, by its series where z is small (DLMF 19.2.18)."""
+def arctan_share(z, end):
+    """R_C(1, end) for complex end = 1 + z: arctan(√z)/√z, by its series where z is small (DLMF 19.2.18)."""
     if abs(z) < 1e-3:
         return 1 - z * (1 / 3 - z * (1 / 5 - z * (1 / 7 - z * (1 / 9 - z / 11))))
-    root = complex_sqrt(z)
-    return complex_atan(root) / root
+    root = complex_sqrt(-z)
+    return complex_log((1 + root) * (1 + root) / end) / (2 * root)

@@ -91,7 +91,12 @@ def deepest(width):
     return inf
 
 
-def arctan_share(z):
-    """R_C(1, 1 + z) = arctan(√z)/√z for complex z (DLMF 19.2.18)."""
-    root = complex_sqrt(z)
-    return atan(root) / root if root else complex_of(1)
+def arctan_share(z, end):
+    """R_C(1, end) for complex end = 1 + z: arctan(√z)/√z (DLMF 19.2.18)."""
+    if abs(z) < eps:
+        return 1 - z / 3
+    if abs(z) < 0.5:
+        root = complex_sqrt(z)
+        return atan(root) / root
+    root = complex_sqrt(-z)
+    return log((1 + root) * (1 + root) / end) / (2 * root)
