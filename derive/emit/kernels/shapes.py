@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from derive.emit.kernels.arcs import Arc, Point, arc_to
-from derive.emit.kernels.arithmetic import atan2, cos, floor, ldexp, pi, pick, sin, sqrt
+from derive.emit.kernels.arithmetic import atan2, cos, floor, ldexp, pi, sin, sqrt
 from derive.emit.kernels.swing import phase_at
 
 
@@ -60,26 +60,23 @@ def regular_part(rod, motion, length):
 def point_at(motion, square, rest):
     """The point at ψ by sin²ψ and cos²ψ, and half the angle from the tip to it.
 
-    Near the tip by ℘ − e₁. Elsewhere by cos χ, from the duplication of the argument (DLMF 22.6(iii)), and the angle to
-    the middle of the motion: so that nothing is lost where the motion is nearly a whole turn.
+    By cos χ, from the duplication of the argument (DLMF 22.6(iii)), in forms that lose nothing where the motion is
+    nearly a whole turn.
     """
     a, b = motion.end / 2, motion.middle / 2
     near, far = sqrt(motion.near), sqrt(motion.far)
     strength = motion.near_moment / 4
     delta = sqrt(a * a * rest + b * b * square)
     one = a * a * a * a * rest / (square * delta * delta)
-    ratio, cosine = one * motion.sine / strength, cos(motion.half_width)
     flat = (b / a) * (b / a) * square
     scale = rest * (1 + square) + flat * square
     turned = (rest * rest - flat * square) / scale
+    versine = 2 * square * (rest + flat) / scale
     bent = (rest * rest + flat * (1 + rest)) / scale
     tilt = 2 * motion.skew * motion.sine / (near + far) + turned * (near + far)
-    lean = atan2(
-        sin(motion.half_width / 2) * tilt, motion.half_cosine * (near * (1 - turned) + far * (1 + turned))
-    )
-    close = ratio > 2
-    half = pick(close, atan2(motion.sine, ratio + cosine), motion.half_width / 2 - lean)
-    low, high = pick(close, 1, sin(half)), sin(motion.half_width - half)
-    product = pick(close, a * a * (1 + rest) / square - one, near * bent * (far * low + near * high) / (8 * low))
-    pole = pick(close, one + strength * cosine / motion.sine, strength * cos(half) / low)
-    return Point(strength, pole, one, product, 2 * delta / sqrt(square)), half
+    sine, cosine = sin(motion.half_width / 2), motion.half_cosine
+    level = near * versine + far * (1 + turned)
+    half = atan2(2 * sine * cosine * near * versine, cosine * cosine * level + sine * sine * tilt)
+    low, high = sin(half), sin(motion.half_width - half)
+    product = near * bent * (far * low + near * high) / (8 * low)
+    return Point(strength, strength * cos(half) / low, one, product, 2 * delta / sqrt(square)), half

@@ -91,8 +91,8 @@ def phase_at(a, b, length):
     small = small * small
     square, rest = pick(first, small, 1 - small), pick(first, 1 - small, small)
     for a, b in reversed(steps):
-        total, half_gap = a + b, a - b
-        below = total + half_gap * square
-        wide = total * total - half_gap * half_gap * square
+        gap = a - b
+        below = pick(gap > 0, a + b + gap * square, 2 * a - gap * rest)
+        wide = 4 * a * b + gap * gap * rest
         square, rest = 4 * a * a * square / (below * below), rest * wide / (below * below)
     return square, rest
