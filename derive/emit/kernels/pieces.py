@@ -108,8 +108,9 @@ def onward(eta, rest, start, amount, rough):
     """
     distance = pick(abs(rough) > 1e-3 * abs(start), rough, amount / slope(eta, rest, start))
     for _ in range(40):
-        step = (fall(eta, rest, start, distance) - amount) / slope(eta, rest, start + distance)
-        distance = distance - step
+        force = slope(eta, rest, start + distance)
+        step = (fall(eta, rest, start, distance) - amount) / pick(force == 0, 1, force)
+        distance = pick(abs(distance - step) > pi, rough, distance - step)
         if not any_of(abs(step) > 4 * epsilon() * abs(distance)):
             break
     return distance
