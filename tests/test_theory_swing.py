@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from itertools import pairwise
 
 import pytest
 from mpmath import mp, mpf
@@ -16,6 +17,7 @@ from derive.measure.taylor import integrate
 DIGITS = 40
 CLOSE = mpf(10) ** -30  # the integration and the quadrature keep more than 35 digits on these motions
 RODS = 12
+PARTS = ("real", "imag")
 
 
 @pytest.fixture(scope="module")
@@ -147,7 +149,8 @@ class Place:
 
     def __init__(self, formulas, motion, part):
         self.done = 2 * motion.half_width * part
-        near = motion.factors(formulas)[0]
+        near, self.far, _ = motion.factors(formulas)
+        self.near_factor = near
         self.b = formulas["strength"](formulas["moment"](*motion.field, motion.tip))
         self.q = formulas["rest_stiffness"](*motion.field, motion.tip)
         self.m = formulas["tip_cubic"](*motion.field, motion.tip)
@@ -157,8 +160,28 @@ class Place:
         self.near = formulas["point_near"](self.b, self.done, left, motion.half_width)
         self.sum = formulas["pair_sum"](self.b, self.q, self.done, motion.half_width)
         self.product = formulas["pair_product"](near, there, motion.half_width, self.done)
+        self.rate = formulas["point_rate"](self.near, self.product)
         root = mp.sqrt(mp.mpc(self.sum**2 / 4 - self.product))
         self.pair = (self.sum / 2 + root, self.sum / 2 - root)
+        self.arc = mp.re(mp.elliprf(self.near, *self.pair))
+
+    def shift(self, formulas, motion):
+        """W: its real and its imaginary part."""
+        value = mp.elliprj(self.near, *self.pair, self.pole - 1j * self.b)
+        return formulas["w_real"](self.b, mp.im(value)), formulas["w_imag"](self.b, mp.re(value))
+
+    def squares(self, formulas, motion, y):
+        """η∫cos²(θ − α) by both forms."""
+        root = formulas["far_root"](self.b, motion.half_width)
+        first, (other, last) = self.near, self.pair
+        start = (*motion.field, motion.tip, self.b)
+        end = (self.rate, self.near_factor, self.far, self.arc, y)
+        second = mp.re(mp.elliprd(other, last, first))
+        seconds = mp.re(mp.elliprd(first, other, last) + mp.elliprd(first, last, other))
+        return (
+            formulas["arc_square"](*start, root, self.pole, first, *end, second),
+            formulas["arc_square_far"](*start, self.q, self.m, root, self.pole, self.product, *end, seconds),
+        )
 
 
 def test_the_length_by_the_symmetric_integral(formulas, motions):
@@ -168,9 +191,78 @@ def test_the_length_by_the_symmetric_integral(formulas, motions):
         for part in (mpf("0.01"), mpf("0.4"), mpf("0.98")):
             place = Place(formulas, motion, part)
             kinds.add(abs(mp.im(place.pair[0])) > CLOSE)
-            length = mp.re(mp.elliprf(place.near, *place.pair))
-            point = integrated(motion, length)
+            point = integrated(motion, place.arc)
             assert abs(point.theta - motion.tip - place.done) < CLOSE
             drop = motion.potential(motion.tip) - motion.potential(point.theta)
             assert abs(formulas["curvature_squared"](drop) - point.curvature**2) < CLOSE
     assert kinds == {True, False}
+
+
+def test_position_and_energy(formulas, motions):
+    """y, z and ∫η cos²(θ − α), and by them the energy, which the integration counts without the force."""
+    for motion in motions:
+        for part in (mpf("0.03"), mpf("0.5"), mpf("0.97")):
+            place = Place(formulas, motion, part)
+            point = integrated(motion, place.arc)
+            shift = place.shift(formulas, motion)
+            y, z = (formulas[name](motion.tip, place.arc, *shift) for name in ("arc_y", "arc_z"))
+            assert abs(mp.mpc(y - point.y, z - point.z)) < CLOSE
+            beta, gamma = motion.field[0], formulas["gamma"](*motion.field, motion.tip)
+            for square in place.squares(formulas, motion, y):
+                energy = formulas["rod_energy"](beta, gamma, place.arc, y, square)
+                assert abs(energy - (point.energy - beta * y)) < CLOSE
+
+
+def test_the_second_form_at_the_far_turning_point(formulas, motions):
+    """A whole half-swing: X₁ is zero there, where the first form has no value."""
+    for motion in motions:
+        place = Place(formulas, motion, 1)
+        assert abs(place.near) < CLOSE
+        place.near = mpf(0)
+        place.rate = mpf(0)
+        point = integrated(motion, place.arc)
+        assert abs(point.curvature) < CLOSE
+        y = formulas["arc_y"](motion.tip, place.arc, *place.shift(formulas, motion))
+        root, (other, last) = formulas["far_root"](place.b, motion.half_width), place.pair
+        seconds = mp.re(mp.elliprd(0, other, last) + mp.elliprd(0, last, other))
+        ends = (place.rate, place.near_factor, place.far, place.arc, y, seconds)
+        square = formulas["arc_square_far"](
+            *motion.field, motion.tip, place.b, place.q, place.m, root, place.pole, place.product, *ends
+        )
+        bending = formulas["gamma"](*motion.field, motion.tip) * place.arc / 2 - motion.field[0] * y - square
+        assert abs(bending - point.energy) < CLOSE
+
+
+def test_the_duplication_of_the_third_kind(formulas, motions):
+    """(p − X₁)(p − X₂)(p − X₃) is the same at every point."""
+    for motion in motions:
+        field = [formulas[f"field_{part}"](*motion.field[1:], motion.tip) for part in PARTS]
+        for part in (mpf("0.2"), mpf("0.8")):
+            place = Place(formulas, motion, part)
+            at = place.pole - 1j * place.b
+            product = (at - place.near) * (at - place.pair[0]) * (at - place.pair[1])
+            real, imag = (
+                formulas[f"rj_delta_{one}"](place.b, x) for one, x in zip(("real", "imag"), field, strict=True)
+            )
+            assert abs(product - mp.mpc(real, imag)) < CLOSE * (1 + abs(at)) ** 3
+
+
+@pytest.mark.parametrize("ratio", [mpf("0.6"), mpf("1.4"), mpf("6")])
+def test_directions_of_equilibrium(formulas, ratio):
+    """One hill, one well, and a second pair of each above the astroid: as many as θ″ has zeros."""
+    for alpha in (mpf("0.05"), mpf("0.8"), mpf("1.5")):
+        field = (mpf(1), ratio, alpha)
+        start = mpf(10) ** -9
+
+        def changes(function, low, high, start=start):
+            grid = mp.linspace(low + start, high - start, 400)
+            signs = [mp.sign(function(x)) for x in grid]
+            return sum(one != two for one, two in pairwise(signs))
+
+        hills = changes(lambda y, field=field: formulas["moment_before_field"](*field, y), 0, alpha)
+        wells = changes(lambda w, field=field: formulas["moment_past_normal"](*field, w), 0, mp.pi / 2 - alpha)
+        more = changes(lambda x, a=alpha: formulas["pair_height"](a, x) - ratio, 0, mp.pi / 2)
+        least = (mp.cos(alpha) ** (mpf(2) / 3) + mp.sin(alpha) ** (mpf(2) / 3)) ** (mpf(3) / 2)
+        assert (hills, wells, more) == (1, 1, 2 if ratio > least else 0)
+        whole = changes(lambda x, field=field: formulas["moment"](*field, x), mpf("0.01"), 2 * mp.pi + mpf("0.01"))
+        assert whole == hills + wells + more

@@ -1,7 +1,9 @@
 """The motion of any rod between two turning points: the formulas that solvers evaluate, for every field angle.
 
-``swing_levels`` (θ″ and the potential V), ``swing_turns`` (the turning points and the length as a Legendre integral),
-``swing_points`` (℘ at the tip). They start from the half-angle quartic of ``oblique`` and need no load case.
+They start from the half-angle quartic of ``oblique`` and need no load case. The scripts: ``swing_levels`` (θ″ and the
+potential V), ``swing_rest`` (the directions of equilibrium), ``swing_turns`` (two turning points), ``swing_rates`` (the
+length as a Legendre integral), ``swing_points`` (℘ at the tip), ``swing_along`` (integrals as claims), ``swing_arcs``
+(the position), ``swing_square`` (∫η cos²(θ − α)).
 """
 
 from __future__ import annotations
@@ -13,9 +15,13 @@ from sympy import expand
 from .claims import Formula, Notebook
 from .oblique import Oblique
 from .plane import Plane
+from .swing_arcs import write_arcs
 from .swing_levels import Levels, write_levels
 from .swing_names import Writer
 from .swing_points import Points, write_points
+from .swing_rates import write_rates
+from .swing_rest import write_rest
+from .swing_square import write_square
 from .swing_turns import Turns, write_turns
 from .symbols import eta
 
@@ -38,10 +44,14 @@ def derive(plane: Plane, oblique: Oblique, book: Notebook) -> Swing | None:
         return None
     writer = Writer(book)
     levels = write_levels(plane, oblique.half, writer)
+    write_rest(levels, writer)
     book.say("Any angle of the field. The motion between two turning points")
     turns = write_turns(levels, writer)
+    write_rates(writer)
     book.say("Any angle of the field. Points of the motion by ℘ at the tip")
     points = write_points(levels, turns, oblique.half, writer)
+    position = write_arcs(points, oblique.half, writer)
+    write_square(position, oblique.half, writer)
     return Swing(levels, turns, points, tuple(writer.formulas))
 
 

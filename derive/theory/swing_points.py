@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from sympy import Expr, Poly, Symbol, cos, diff, oo, pi, sin, tan
+from sympy import Expr, Poly, Symbol, cos, diff, oo, pi, sin, sqrt, tan
 
 from .claims import Domain, Equal, Limit
 from .oblique_quartic import COEFFICIENTS, QUARTIC, HalfAngle, m, n, p, q, t, theta_tip
@@ -33,6 +33,8 @@ from .symbols import alpha
 
 x = Symbol("x", real=True)  # ℘ − c
 factor_tip, factor_there = Symbol("factor_tip", real=True), Symbol("factor_there", real=True)  # P, and Q at the point
+factor_far = Symbol("factor_far", real=True)  # P′
+x_near, x_pair = Symbol("x_near", real=True), Symbol("x_pair", real=True)  # X₁ and X₂X₃
 WHERE = Domain({b: (0, oo), half_width: (0, pi), done: (0, 2 * half_width)})
 
 
@@ -45,7 +47,7 @@ class Points:
     others: Expr
 
 
-e_1 = Symbol("far_root", real=True)  # ê₁
+e_1 = Symbol("root", real=True)  # ê₁
 
 
 def write_points(levels: Levels, turns: Turns, rod: HalfAngle, writer: Writer) -> Points:
@@ -143,7 +145,7 @@ def _write_pair(points: Points, writer: Writer) -> None:
     moved = diff(pole, done) ** 2 * 2 * behind * ahead * factor_there
     near = b * ahead / (behind * sin(half_width))
     where = Domain({factor_tip: (0, oo), factor_there: (0, oo), half_width: (0, pi), done: (0, 2 * half_width)})
-    writer.add(
+    product = writer.add(
         "pair_product",
         (factor_tip, factor_there, half_width, done),
         sin(half_width) ** 2 * factor_tip * factor_there / (64 * sin(done / 2) ** 2),
@@ -153,3 +155,17 @@ def _write_pair(points: Points, writer: Writer) -> None:
         given=((b, factor_tip * sin(half_width) / 8),),
         steps=("cubic_root", "point_near", "turn_factor", "factor_at", "sines"),
     )
+    writer.add(
+        "point_rate",
+        (x_near, x_pair),
+        sqrt(x_near * x_pair),
+        "√(X₁X₂X₃) = |x_σ|/2 at a point",
+        lambda value: Equal((4 * value**2).subs({x_near: near, x_pair: product}), moved),
+        where,
+        given=((b, factor_tip * sin(half_width) / 8),),
+        steps=("pair_product",),
+    )
+    # The same at the far turning point, where Q is P′.
+    at_far = product.subs({done: 2 * half_width, factor_there: factor_far})
+    slope, ends = Equal(at_far, factor_tip * factor_far / 64), Domain({half_width: (0, pi)})
+    writer.claim("far_slope", "(ê₁ − ê₂)(ê₁ − ê₃) = PP′/64", slope, ends, steps=("pair_product", "far_root"))
