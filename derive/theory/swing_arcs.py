@@ -21,9 +21,10 @@ from .swing_points import Points, x
 from .symbols import alpha, eta
 from .tip_names import arc
 
-field_real, field_imag = symbols("field_real field_imag", real=True)  # η cos 2(φ − α), η sin 2(φ − α)
-rj_real, rj_imag = symbols("rj_real rj_imag", real=True)  # of R_J(X₁, X₂, X₃, x − ib)
-w_real, w_imag = symbols("w_real w_imag", real=True)  # of W
+field_real, field_imag = symbols("field_re field_im", real=True)  # η cos 2(φ − α), η sin 2(φ − α)
+rj_real, rj_imag = symbols("rj_re rj_im", real=True)  # of R_J(X₁, X₂, X₃, x − ib)
+w_real, w_imag = symbols("w_re w_im", real=True)  # of W
+PARTS = {"real": "real", "imag": "imaginary"}
 
 
 def write_arcs(points: Points, rod: HalfAngle, writer: Writer) -> Expr:
@@ -58,7 +59,7 @@ def _write_field(writer: Writer, part: str, function: Callable[..., Expr], value
         f"field_{part}",
         (eta, field_angle, tip),
         eta * function(2 * (tip - field_angle)),
-        f"the {part} part of η e^{{2i(φ − α)}}",
+        f"the {PARTS[part]} part of η e^{{2i(φ − α)}}",
         lambda found: Equal(found, value),
         anywhere(tip),
         steps=("oblique.coefficients",),
@@ -72,7 +73,7 @@ def _write_shift(writer: Writer, part: str, field: Expr, value: Expr, given: Ite
         f"rj_delta_{part}",
         (b, symbol),
         b**2 * symbol / 4,
-        f"the {part} part of (p − X₁)(p − X₂)(p − X₃), p = x − ib, for the duplication of R_J",
+        f"the {PARTS[part]} part of (p − X₁)(p − X₂)(p − X₃), p = x − ib, for the duplication of R_J",
         lambda found: Equal(found.subs(symbol, field), value),
         anywhere(tip),
         given=given,
@@ -88,7 +89,7 @@ def _write_third_kind(writer: Writer, part: str, symbol: Symbol, value: Expr, in
         real, imag = kind.third_kind
         return value.subs({rj_real: real, rj_imag: imag})
 
-    key, title, source = f"third_kind_{part}", f"∫(e^{{iδ}} − 1)dσ, {part} part", "DLMF 19.29(ii)"
+    key, title, source = f"third_kind_{part}", f"∫(e^{{iδ}} − 1)dσ, the {PARTS[part]} part", "DLMF 19.29(ii)"
     steps = ("oblique.tangent_pole", "cubic_root", "fall")
     claim_integral(writer, key, title, integral, lambda _: integrand, steps=steps, source=source)
     factor = {"real": Rational(-2, 3), "imag": Rational(2, 3)}[part]
@@ -96,7 +97,7 @@ def _write_third_kind(writer: Writer, part: str, symbol: Symbol, value: Expr, in
         f"w_{part}",
         (b, symbol),
         factor * b * symbol,
-        f"the {part} part of W = (2ib/3)R_J(X₁, X₂, X₃, x − ib): ∫e^{{iθ}}dσ = e^{{iφ}}(σ + W)",
+        f"the {PARTS[part]} part of W = (2ib/3)R_J(X₁, X₂, X₃, x − ib): ∫e^{{iθ}}dσ = e^{{iφ}}(σ + W)",
         lambda found: Equal(found, value),
         Domain({b: (0, oo), rj_real: (-oo, oo), rj_imag: (-oo, oo)}),
         steps=tuple(f"{key}_{kind.name}" for kind in KINDS),

@@ -70,7 +70,7 @@ def _write_moment(levels: Levels, writer: Writer) -> None:
     writer.add(
         "moment",
         (*FIELD, theta),
-        moment,
+        beta * sin(theta) + eta * sin(2 * (theta - field_angle)) / 2,
         "θ″ at an angle",
         lambda value: Equal(diff(levels.squared, theta), 2 * value),
         anywhere(tip, theta),
@@ -91,7 +91,7 @@ def _write_moment(levels: Levels, writer: Writer) -> None:
     writer.add(
         "rest_stiffness",
         (*FIELD, rest),
-        turned(diff(moment, theta), rest),
+        beta * cos(rest) + eta * cos(2 * (rest - field_angle)),
         "dθ″/dθ at an angle: small rotations h from a direction of equilibrium obey h″ = (dθ″/dθ)h; at the tip it is q",
         lambda value: Equal(value, -turned(diff(levels.potential, theta, 2), rest)),
         anywhere(rest),

@@ -50,7 +50,7 @@ def write_rates(writer: Writer) -> None:
         moves,
         FACTORS,
         steps=("legendre", "sines", "factor_at", "middle_excess", "fall"),
-        source="DLMF 19.29(i)",
+        source="DLMF 19.14(ii)",
     )
     # The integrand's two rates, read off at χ = 0 and at χ = π/2.
     writer.add(
@@ -97,7 +97,7 @@ def _claim_gauss(writer: Writer) -> None:
     root = sqrt(a**2 * cosine + b**2 * sine)
     new_sine = (a + b) ** 2 * sine / (a + root) ** 2
     new_cosine = 2 * a * cosine * (a + (a**2 + b**2 * sine) / (root + b * sine)) / (a + root) ** 2
-    where, source = Domain({rate_0: (0, oo), rate_1: (0, oo), sine: (0, 1)}), "DLMF 19.8(ii)"
+    where, source = Domain({rate_0: (0, oo), rate_1: (0, oo), sine: (0, 1)}), "DLMF 19.8(iii)"
     whole = Equal(new_sine + new_cosine, 1)
     writer.claim("gauss_cosine", "cos²χ′ without a difference", whole, where, steps=("legendre",), source=source)
 
