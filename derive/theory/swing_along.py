@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
-from sympy import Derivative, Expr, I, Integer, Poly, Symbol, oo, prod, sqrt, symbols
+from sympy import Derivative, Expr, Function, I, Integer, Poly, Symbol, oo, prod, sqrt, symbols
 
 from .claims import Domain, Equal, Limit
 from .functions import RJ
@@ -24,6 +24,9 @@ from .tip_names import x_pole
 e_1, e_2, e_3, f = symbols("e_1 e_2 e_3 f", real=True)  # ê₁, ê₂, ê₃; or ê₂, ê₃ = f ± ig
 g = Symbol("g", positive=True)
 FREE = {x: (-oo, oo), b: (0, oo)}
+# R_J along the motion, with the fourth argument x − ib and with its conjugate; its real and imaginary part by both.
+BELOW, OVER = Function("R_below")(x), Function("R_over")(x)
+THIRD_KIND = (BELOW + OVER) / 2, (BELOW - OVER) / (2 * I)
 # cos δ and sin δ by t = b/x.
 COSINE, SINE = (x**2 - b**2) / (x**2 + b**2), 2 * b * x / (x**2 + b**2)
 
@@ -56,10 +59,9 @@ class Kind:
         return first * second * third
 
     @property
-    def third_kind(self) -> tuple[Expr, Expr]:
-        """R_J with the fourth argument x − ib, as its real and imaginary part."""
-        below, over = (RJ(*self.gaps, x + side * I * b) for side in (-1, 1))
-        return (below + over) / 2, (below - over) / (2 * I)
+    def third_kind(self) -> tuple[tuple[Expr, Expr], ...]:
+        """What R_J is with the fourth arguments x − ib and x + ib, where a claim has names for both."""
+        return (BELOW, RJ(*self.gaps, x - I * b)), (OVER, RJ(*self.gaps, x + I * b))
 
     def slope(self, integral: Expr, integrand: Expr) -> Equal:
         """The integral differentiates back: along x it is the integrand times dσ/dx."""
@@ -99,6 +101,7 @@ def claim_integral(
     for kind in kinds:
         where = Domain({**(more or {}), **kind.domain.ranges}, kind.domain.conditions)
         same, key = kind.slope(integral(kind), integrand(kind)), f"{name}_{kind.name}"
-        writer.claim(key, f"{what}: {kind.title}", same, where, steps=steps, source=source)
-        zero, where = kind.start(integral(kind), where)
+        title, given = f"{what}: {kind.title}", kind.third_kind
+        writer.claim(key, title, same, where, given=given, steps=steps, source=source)
+        zero, where = kind.start(integral(kind).subs(dict(given)), where)
         writer.claim(f"{key}_tip", f"{what}: the value at the tip", zero, where, steps=(key,), source=source)

@@ -15,7 +15,7 @@ from sympy import Expr, I, Integer, Rational, Symbol, cos, oo, sin, symbols
 from .claims import Domain, Equal
 from .oblique_quartic import HalfAngle, m, n, p, q, theta_tip
 from .oblique_shape import b
-from .swing_along import COSINE, KINDS, SINE, Kind, claim_integral
+from .swing_along import COSINE, KINDS, SINE, THIRD_KIND, claim_integral
 from .swing_names import Writer, anywhere, done, field_angle, tip
 from .swing_points import Points, x
 from .symbols import alpha, eta
@@ -84,14 +84,10 @@ def _write_shift(writer: Writer, part: str, field: Expr, value: Expr, given: Ite
 
 def _write_third_kind(writer: Writer, part: str, symbol: Symbol, value: Expr, integrand: Expr) -> None:
     """W by R_J."""
-
-    def integral(kind: Kind) -> Expr:
-        real, imag = kind.third_kind
-        return value.subs({rj_real: real, rj_imag: imag})
-
+    along = value.subs(dict(zip((rj_real, rj_imag), THIRD_KIND, strict=True)))
     key, title, source = f"third_kind_{part}", f"∫(e^{{iδ}} − 1)dσ, the {PARTS[part]} part", "DLMF 19.29(ii)"
     steps = ("oblique.tangent_pole", "cubic_root", "fall")
-    claim_integral(writer, key, title, integral, lambda _: integrand, steps=steps, source=source)
+    claim_integral(writer, key, title, lambda _: along, lambda _: integrand, steps=steps, source=source)
     factor = {"real": Rational(-2, 3), "imag": Rational(2, 3)}[part]
     writer.add(
         f"w_{part}",

@@ -14,7 +14,7 @@ from .claims import Equal
 from .functions import RD, RF
 from .oblique_quartic import HalfAngle, m, n, p, q, theta_tip
 from .oblique_shape import b
-from .swing_along import COSINE, KINDS, SINE, Kind, claim_integral
+from .swing_along import COSINE, KINDS, SINE, THIRD_KIND, Kind, claim_integral
 from .swing_arcs import w_imag, w_real
 from .swing_levels import FIELD
 from .swing_names import Writer, anywhere, far, field_angle, near, tip
@@ -72,7 +72,7 @@ def _claim_second_kind(name: str, kept: Expr, writer: Writer) -> None:
 
     def integral(kind: Kind) -> Expr:
         first, other, last = kind.gaps
-        real, imag = kind.third_kind
+        real, imag = THIRD_KIND
         values = {
             arc: RF(*kind.gaps),
             w_real: -2 * b * imag / 3,
