@@ -172,7 +172,7 @@ class Place:
 
     def squares(self, formulas, motion, y):
         """η∫cos²(θ − α) by both forms."""
-        root = formulas["far_root"](self.b, motion.half_width)
+        root = formulas["far_root"](self.near_factor, motion.half_width)
         first, (other, last) = self.near, self.pair
         start = (*motion.field, motion.tip, self.b)
         end = (self.rate, self.near_factor, self.far, self.arc, y)
@@ -223,7 +223,7 @@ def test_the_second_form_at_the_far_turning_point(formulas, motions):
         point = integrated(motion, place.arc)
         assert abs(point.curvature) < CLOSE
         y = formulas["arc_y"](motion.tip, place.arc, *place.shift(formulas, motion))
-        root, (other, last) = formulas["far_root"](place.b, motion.half_width), place.pair
+        root, (other, last) = formulas["far_root"](place.near_factor, motion.half_width), place.pair
         seconds = mp.re(mp.elliprd(0, other, last) + mp.elliprd(0, last, other))
         ends = (place.rate, place.near_factor, place.far, place.arc, y, seconds)
         square = formulas["arc_square_far"](

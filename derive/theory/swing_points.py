@@ -98,14 +98,16 @@ def _write_near(cubic: Expr, levels: Levels, turns: Turns, rod: HalfAngle, write
     )
     infinite, steps = Limit(1 / pole, done, pole * 0, pole * 0, "+"), ("point_pole",)
     writer.claim("point_pole_tip", "x is infinite at the tip", infinite, WHERE, steps=steps, source="exsl22")
-    far_root = writer.add(
+    far_root = pole.subs(done, 2 * half_width)
+    # b = P sin D/8: without the quotient by a sine that is small for a small swing and for a whole turn.
+    writer.add(
         "far_root",
-        (b, half_width),
-        b * cos(half_width) / sin(half_width),
-        "ê₁, the value of x at the far turning point",
-        lambda value: Equal(value, pole.subs(done, 2 * half_width)),
+        (factor_tip, half_width),
+        factor_tip * cos(half_width) / 8,
+        "ê₁, the value of x at the far turning point, by P",
+        lambda value: Equal(value.subs(factor_tip, 8 * b / sin(half_width)), far_root),
         WHERE,
-        steps=("point_pole",),
+        steps=("point_pole", "turn_factor"),
     )
     # Where the two angles are no pair, C(ê₁) is a multiple of the balance.
     at = {theta_tip: middle - half_width, alpha: field_angle}

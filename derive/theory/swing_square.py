@@ -3,7 +3,7 @@
 e^{2iδ} has a double pole at x = ib. The derivative of x_σ/(x − ib) along the rod takes it to R_J, and that of x_σ/X₁
 takes the rest to R_D. What is left of R_J is β times y, for β cos φ = n and β sin φ = (p + m)/2. At the far turning
 point R_D(X₂, X₃, X₁) and the term beside it are both infinite; the other two R_D are not, and the sum of all three is
-3/√(X₁X₂X₃): that gives a second form.
+3/√(X₁X₂X₃): that gives a second form, for points where X₁ is the least of the three. Elsewhere the first is the better.
 """
 
 from __future__ import annotations
