@@ -159,6 +159,8 @@ class Place:
         self.pole = formulas["point_pole"](self.b, self.done)
         self.near = formulas["point_near"](self.b, self.done, left, motion.half_width)
         self.sum = formulas["pair_sum"](self.b, self.q, self.done, motion.half_width)
+        root = formulas["far_root"](near, motion.half_width)
+        assert abs(formulas["pair_sum_by_root"](self.pole, self.q, root) - self.sum) < CLOSE * (1 + abs(self.sum))
         self.product = formulas["pair_product"](near, there, motion.half_width, self.done)
         self.rate = formulas["point_rate"](self.near, self.product)
         root = mp.sqrt(mp.mpc(self.sum**2 / 4 - self.product))

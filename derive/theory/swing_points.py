@@ -47,7 +47,7 @@ class Points:
     others: Expr
 
 
-e_1 = Symbol("root", real=True)  # ê₁
+e_1, place = Symbol("root", real=True), Symbol("pole", real=True)  # ê₁, and x where it is given
 
 
 def write_points(levels: Levels, turns: Turns, rod: HalfAngle, writer: Writer) -> Points:
@@ -133,7 +133,7 @@ def _write_pair(points: Points, writer: Writer) -> None:
     """X₂ + X₃ and X₂X₃."""
     pole = b * cos(done / 2) / sin(done / 2)
     free = dict.fromkeys((q, m, n), (-oo, oo))
-    writer.add(
+    total = writer.add(
         "pair_sum",
         (b, q, done, half_width),
         2 * pole + q / 4 + points.far_root,
@@ -141,6 +141,15 @@ def _write_pair(points: Points, writer: Writer) -> None:
         lambda value: Equal(value, diff(points.others, x).subs({x: pole, e_1: points.far_root})),
         Domain({**free, **WHERE.ranges}),
         steps=("cubic_root", "point_pole", "far_root"),
+    )
+    writer.add(
+        "pair_sum_by_root",
+        (place, q, e_1),
+        2 * place + q / 4 + e_1,
+        "X₂ + X₃ at a point, by x and ê₁",
+        lambda value: Equal(value.subs({place: pole, e_1: points.far_root}), total),
+        Domain({**free, **WHERE.ranges}),
+        steps=("pair_sum",),
     )
     # x_σ = x_δ δ_σ with δ_σ² = (cos u − cos D)Q, and b by P.
     behind, ahead = sin(done / 2), sin(half_width - done / 2)

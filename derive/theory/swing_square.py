@@ -19,11 +19,12 @@ from .swing_arcs import w_imag, w_real
 from .swing_levels import FIELD
 from .swing_names import Writer, anywhere, far, field_angle, near, tip
 from .swing_points import e_1 as root
+from .swing_points import place as pole
 from .swing_points import x, x_near, x_pair
 from .symbols import alpha, beta, eta
 from .tip_names import arc, y_tip
 
-pole, rate = symbols("pole rate", real=True)  # x and √(X₁X₂X₃)
+rate = Symbol("rate", real=True)  # √(X₁X₂X₃)
 second, seconds = symbols("second seconds", real=True)  # R_D(X₂, X₃, X₁); R_D(X₁, X₂, X₃) + R_D(X₁, X₃, X₂)
 # By the coefficients of the quartic: ∫η cos²(θ − α)dσ less the integrals of the second kind.
 BY_LETTERS = (eta + q - n) / 2 * arc - n * w_real + (2 * b + m / 2) * w_imag
