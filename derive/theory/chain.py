@@ -6,21 +6,25 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from . import equilibrium, oblique, plane, quartic, shape, tip, weierstrass
+from . import equilibrium, oblique, plane, quartic, shape, swing, tip, weierstrass
 from .claims import Formula, Notebook
 from .load_case import LoadCase
 from .oblique import Oblique
 from .plane import Plane
 from .shape import Shape
+from .swing import Swing
 from .tip import Tip
 from .weierstrass import Weierstrass
 
-STEPS = ("plane", "quartic", "weierstrass", "shape", "tip", "oblique")
+STEPS = ("plane", "quartic", "weierstrass", "shape", "tip", "oblique", "swing")
 
 
 @dataclass(frozen=True)
 class Theory:
-    """Everything that the energy leads to; mappings are by the name of the load case."""
+    """Everything that the energy leads to; mappings are by the name of the load case.
+
+    swing: None for another energy than that of paramagnetic particles.
+    """
 
     section2: Any = field(repr=False)
     plane: Plane
@@ -29,6 +33,7 @@ class Theory:
     shapes: Mapping[str, Shape]
     tips: Mapping[str, Tip]
     oblique: Oblique
+    swing: Swing | None
     formulas: tuple[Formula, ...]
     book: Notebook = field(repr=False)
 
@@ -58,8 +63,12 @@ def derive_section3(section2: Any, book: Notebook, last: str = STEPS[-1]) -> Any
     if last == "tip":
         return tips
     any_angle = oblique.derive(plane_problem, cases, functions, book)
+    if last == "oblique":
+        return any_angle
+    motion = swing.derive(plane_problem, any_angle, book)
     formulas = tuple(formula for one in tips.values() for formula in one.formulas)
-    return Theory(section2, plane_problem, cases, functions, shapes, tips, any_angle, formulas, book)
+    formulas += motion.formulas if motion else ()
+    return Theory(section2, plane_problem, cases, functions, shapes, tips, any_angle, motion, formulas, book)
 
 
 def print_up_to(last: str, energy: Any = None) -> None:

@@ -1,0 +1,66 @@
+"""The motion of any rod between two turning points: the formulas that solvers evaluate, for every field angle.
+
+They start from the half-angle quartic of ``oblique`` and need no load case. The scripts: ``swing_levels`` (θ″ and the
+potential V), ``swing_rest`` (the directions of equilibrium), ``swing_turns`` (two turning points), ``swing_rates`` (the
+length as a Legendre integral), ``swing_points`` (℘ at the tip), ``swing_along`` (integrals as claims), ``swing_arcs``
+(the position), ``swing_square`` (∫η cos²(θ − α)).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from sympy import expand
+
+from .claims import Formula, Notebook
+from .oblique import Oblique
+from .plane import Plane
+from .swing_arcs import write_arcs
+from .swing_levels import Levels, write_levels
+from .swing_names import Writer
+from .swing_points import Points, write_points
+from .swing_rates import write_rates
+from .swing_rest import write_rest
+from .swing_square import write_square
+from .swing_turns import Turns, write_turns
+from .symbols import eta
+
+
+@dataclass(frozen=True)
+class Swing:
+    """levels, turns, points: from the scripts of these names. formulas: all of them, of the case ``oblique``."""
+
+    levels: Levels
+    turns: Turns
+    points: Points
+    formulas: tuple[Formula, ...]
+
+
+def derive(plane: Plane, oblique: Oblique, book: Notebook) -> Swing | None:
+    """The formulas of the motion; None for another energy than that of paramagnetic particles."""
+    book.say("Any angle of the field. The potential")
+    if expand(plane.energy_density + eta * plane.alignment**2 / 2) != 0:
+        book.say("It is not that of the energy −½ηw², for which the motion is written down.")
+        return None
+    writer = Writer(book)
+    levels = write_levels(plane, oblique.half, writer)
+    write_rest(levels, writer)
+    book.say("Any angle of the field. The motion between two turning points")
+    turns = write_turns(levels, writer)
+    write_rates(writer)
+    book.say("Any angle of the field. Points of the motion by ℘ at the tip")
+    points = write_points(levels, turns, oblique.half, writer)
+    position = write_arcs(points, oblique.half, writer)
+    write_square(position, oblique.half, writer)
+    return Swing(levels, turns, points, tuple(writer.formulas))
+
+
+def main() -> None:
+    """Print the derivation up to here."""
+    from .chain import print_up_to
+
+    print_up_to("swing")
+
+
+if __name__ == "__main__":
+    main()

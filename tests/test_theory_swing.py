@@ -1,0 +1,270 @@
+"""The motion between two turning points, for any angle of the field: proved, and against Taylor integration."""
+
+from __future__ import annotations
+
+import random
+from itertools import pairwise
+
+import pytest
+from mpmath import mp, mpf
+from sympy import lambdify
+
+from derive import stages
+from derive.check.judge import judge
+from derive.check.verdicts import PROVED
+from derive.measure.taylor import integrate
+
+DIGITS = 40
+CLOSE = mpf(10) ** -30  # the integration and the quadrature keep more than 35 digits on these motions
+RODS = 12
+PARTS = ("real", "imag")
+
+
+@pytest.fixture(scope="module")
+def theory():
+    return stages.theory()
+
+
+@pytest.fixture(scope="module")
+def formulas(theory):
+    """The formulas as functions of numbers, by name."""
+    return {f.name: lambdify(f.arguments, f.expression, "mpmath") for f in theory.swing.formulas}
+
+
+@pytest.fixture(autouse=True)
+def _digits():
+    with mp.workdps(DIGITS):
+        yield
+
+
+def test_every_claim_is_proved(theory):
+    claims = [claim for claim in theory.book.claims.values() if claim.id.startswith("swing.")]
+    assert len(claims) > 30
+    assert [claim.id for claim in claims if judge(claim).verdict != PROVED] == []
+
+
+def test_formulas_are_of_one_case_and_named_once(theory):
+    names = [f.name for f in theory.swing.formulas]
+    assert len(set(names)) == len(names)
+    assert {f.case for f in theory.swing.formulas} == {"oblique"}
+    assert "alpha" not in {symbol.name for f in theory.swing.formulas for symbol in f.arguments}
+
+
+class Motion:
+    """A rod at rest at its tip, and the angle at which it would turn back; found by roots of V, without formulas."""
+
+    def __init__(self, draw):
+        self.field = (mpf(draw.uniform(0.1, 2)), mpf(draw.uniform(0.1, 3)), mpf(draw.uniform(-3, 3)))
+        beta, eta, alpha = self.field
+        self.tip = mpf(draw.uniform(-3, 3))
+        if self.slope(self.tip) < 0:  # the mirror image rises
+            self.field, self.tip = (beta, eta, -alpha), -self.tip
+        step, angle = mp.pi / 200, self.tip + mp.pi / 200
+        while self.potential(angle) < self.potential(self.tip):
+            angle += step
+        turn = mp.findroot(
+            lambda x: self.potential(x) - self.potential(self.tip), (angle - step, angle), solver="anderson"
+        )
+        self.half_width, self.middle = (turn - self.tip) / 2, (turn + self.tip) / 2
+
+    def potential(self, angle):
+        beta, eta, alpha = self.field
+        return beta * mp.cos(angle) + eta * mp.cos(angle - alpha) ** 2 / 2
+
+    def slope(self, angle):
+        """θ″."""
+        beta, eta, alpha = self.field
+        return beta * mp.sin(angle) + eta * mp.sin(2 * (angle - alpha)) / 2
+
+    def factors(self, formulas):
+        """P, P′ and R."""
+        turns = (self.middle - self.half_width, self.middle + self.half_width)
+        ends = (formulas["moment"](*self.field, turns[0]), -formulas["moment"](*self.field, turns[1]))
+        near, far = (formulas["turn_factor"](moment, self.half_width) for moment in ends)
+        return near, far, formulas["middle_excess"](*self.field, self.middle, self.half_width)
+
+
+@pytest.fixture(scope="module")
+def motions():
+    with mp.workdps(DIGITS):
+        draw = random.Random(11)
+        return [Motion(draw) for _ in range(RODS)]
+
+
+def integrated(motion, length):
+    beta, eta, alpha = motion.field
+    return integrate(motion.tip, beta, eta, alpha, length, DIGITS).clamp
+
+
+def test_the_length_by_the_legendre_integral(formulas, motions):
+    """θ at the length ∫dχ/√(h² cos²χ + g² sin²χ) from the tip is the angle whose phase is χ."""
+    signs = set()
+    for motion in motions:
+        near, far, excess = motion.factors(formulas)
+        signs.add(mp.sign(excess))
+        rates = formulas["end_rate_squared"](near, far), formulas["middle_rate_squared"](near, far, excess)
+        for part in (mpf("0.2"), mpf("0.7"), mpf("0.99")):
+            done = 2 * motion.half_width * part
+            squared = formulas["phase_tangent_squared"](near, far, done, 2 * motion.half_width - done)
+            chi = 2 * mp.atan(mp.sqrt(squared))
+            # Legendre's F wants h² only, and continues past π/2.
+            length = mp.ellipf(chi, 1 - rates[1] / rates[0]) / mp.sqrt(rates[0])
+            assert abs(integrated(motion, length).theta - motion.tip - done) < CLOSE
+    assert signs == {1, -1}
+
+
+def test_both_forms_of_the_middle_rate(formulas, motions):
+    for motion in motions:
+        near, far, excess = motion.factors(formulas)
+        mean = formulas["mean_factor"](*motion.field, motion.middle, motion.half_width)
+        eta = motion.field[1]
+        apart = formulas["middle_rate_squared_apart"](near, far, excess, eta, motion.half_width, mean, mean - eta)
+        assert abs(apart - formulas["middle_rate_squared"](near, far, excess)) < CLOSE
+
+
+def test_moments_and_drops(formulas, motions):
+    """From a direction of equilibrium, also at an offset where the difference of V keeps no digit."""
+    for motion in motions:
+        ends = (motion.tip, 2 * motion.middle - motion.tip)
+        rest = mp.findroot(motion.slope, ends, solver="anderson")
+        assert abs(formulas["moment"](*motion.field, rest)) < CLOSE
+        for offset in (mpf("1.3"), mpf("-0.2"), mpf(10) ** -18):
+            found = formulas["moment_from_rest"](*motion.field, rest, offset)
+            assert abs(found - motion.slope(rest + offset)) < CLOSE
+            found = formulas["drop_from_rest"](*motion.field, rest, offset)
+            assert abs(found - (motion.potential(rest) - motion.potential(rest + offset))) < CLOSE
+        stiffness = formulas["rest_stiffness"](*motion.field, rest)
+        small = mpf(10) ** -12
+        assert abs(formulas["moment_from_rest"](*motion.field, rest, small) / small - stiffness) < small * 10
+        assert abs(formulas["drop_from_rest"](*motion.field, rest, small) * 2 / small**2 - stiffness) < small * 10
+        ahead = motion.half_width / 3
+        found = formulas["level_drop"](*motion.field, motion.middle, ahead)
+        expected = motion.potential(motion.middle - ahead) - motion.potential(motion.middle + ahead)
+        assert abs(found - expected) < CLOSE
+        assert abs(formulas["level_drop"](*motion.field, motion.middle, motion.half_width)) < CLOSE
+
+
+class Place:
+    """A point of a motion, δ from its tip, by the theory's formulas."""
+
+    def __init__(self, formulas, motion, part):
+        self.done = 2 * motion.half_width * part
+        near, self.far, _ = motion.factors(formulas)
+        self.near_factor = near
+        self.b = formulas["strength"](formulas["moment"](*motion.field, motion.tip))
+        self.q = formulas["rest_stiffness"](*motion.field, motion.tip)
+        self.m = formulas["tip_cubic"](*motion.field, motion.tip)
+        there = formulas["factor_at"](*motion.field, motion.middle, motion.half_width, motion.tip + self.done)
+        left = 2 * motion.half_width - self.done
+        self.pole = formulas["point_pole"](self.b, self.done)
+        self.near = formulas["point_near"](self.b, self.done, left, motion.half_width)
+        self.sum = formulas["pair_sum"](self.b, self.q, self.done, motion.half_width)
+        root = formulas["far_root"](near, motion.half_width)
+        assert abs(formulas["pair_sum_by_root"](self.pole, self.q, root) - self.sum) < CLOSE * (1 + abs(self.sum))
+        self.product = formulas["pair_product"](near, there, motion.half_width, self.done)
+        self.rate = formulas["point_rate"](self.near, self.product)
+        root = mp.sqrt(mp.mpc(self.sum**2 / 4 - self.product))
+        self.pair = (self.sum / 2 + root, self.sum / 2 - root)
+        self.arc = mp.re(mp.elliprf(self.near, *self.pair))
+
+    def shift(self, formulas, motion):
+        """W: its real and its imaginary part."""
+        value = mp.elliprj(self.near, *self.pair, self.pole - 1j * self.b)
+        return formulas["w_real"](self.b, mp.im(value)), formulas["w_imag"](self.b, mp.re(value))
+
+    def squares(self, formulas, motion, y):
+        """η∫cos²(θ − α) by both forms."""
+        root = formulas["far_root"](self.near_factor, motion.half_width)
+        first, (other, last) = self.near, self.pair
+        start = (*motion.field, motion.tip, self.b)
+        end = (self.rate, self.near_factor, self.far, self.arc, y)
+        second = mp.re(mp.elliprd(other, last, first))
+        seconds = mp.re(mp.elliprd(first, other, last) + mp.elliprd(first, last, other))
+        return (
+            formulas["arc_square"](*start, root, self.pole, first, *end, second),
+            formulas["arc_square_far"](*start, self.q, self.m, root, self.pole, self.product, *end, seconds),
+        )
+
+
+def test_the_length_by_the_symmetric_integral(formulas, motions):
+    """σ = R_F(X₁, X₂, X₃), with X₂ and X₃ real or conjugate."""
+    kinds = set()
+    for motion in motions:
+        for part in (mpf("0.01"), mpf("0.4"), mpf("0.98")):
+            place = Place(formulas, motion, part)
+            kinds.add(abs(mp.im(place.pair[0])) > CLOSE)
+            point = integrated(motion, place.arc)
+            assert abs(point.theta - motion.tip - place.done) < CLOSE
+            drop = motion.potential(motion.tip) - motion.potential(point.theta)
+            assert abs(formulas["curvature_squared"](drop) - point.curvature**2) < CLOSE
+    assert kinds == {True, False}
+
+
+def test_position_and_energy(formulas, motions):
+    """y, z and ∫η cos²(θ − α), and by them the energy, which the integration counts without the force."""
+    for motion in motions:
+        for part in (mpf("0.03"), mpf("0.5"), mpf("0.97")):
+            place = Place(formulas, motion, part)
+            point = integrated(motion, place.arc)
+            shift = place.shift(formulas, motion)
+            y, z = (formulas[name](motion.tip, place.arc, *shift) for name in ("arc_y", "arc_z"))
+            assert abs(mp.mpc(y - point.y, z - point.z)) < CLOSE
+            beta, gamma = motion.field[0], formulas["gamma"](*motion.field, motion.tip)
+            for square in place.squares(formulas, motion, y):
+                energy = formulas["rod_energy"](beta, gamma, place.arc, y, square)
+                assert abs(energy - (point.energy - beta * y)) < CLOSE
+
+
+def test_the_second_form_at_the_far_turning_point(formulas, motions):
+    """A whole half-swing: X₁ is zero there, where the first form has no value."""
+    for motion in motions:
+        place = Place(formulas, motion, 1)
+        assert abs(place.near) < CLOSE
+        place.near = mpf(0)
+        place.rate = mpf(0)
+        point = integrated(motion, place.arc)
+        assert abs(point.curvature) < CLOSE
+        y = formulas["arc_y"](motion.tip, place.arc, *place.shift(formulas, motion))
+        root, (other, last) = formulas["far_root"](place.near_factor, motion.half_width), place.pair
+        seconds = mp.re(mp.elliprd(0, other, last) + mp.elliprd(0, last, other))
+        ends = (place.rate, place.near_factor, place.far, place.arc, y, seconds)
+        square = formulas["arc_square_far"](
+            *motion.field, motion.tip, place.b, place.q, place.m, root, place.pole, place.product, *ends
+        )
+        bending = formulas["gamma"](*motion.field, motion.tip) * place.arc / 2 - motion.field[0] * y - square
+        assert abs(bending - point.energy) < CLOSE
+
+
+def test_the_duplication_of_the_third_kind(formulas, motions):
+    """(p − X₁)(p − X₂)(p − X₃) is the same at every point."""
+    for motion in motions:
+        field = [formulas[f"field_{part}"](*motion.field[1:], motion.tip) for part in PARTS]
+        for part in (mpf("0.2"), mpf("0.8")):
+            place = Place(formulas, motion, part)
+            at = place.pole - 1j * place.b
+            product = (at - place.near) * (at - place.pair[0]) * (at - place.pair[1])
+            real, imag = (
+                formulas[f"rj_delta_{one}"](place.b, x) for one, x in zip(("real", "imag"), field, strict=True)
+            )
+            assert abs(product - mp.mpc(real, imag)) < CLOSE * (1 + abs(at)) ** 3
+
+
+@pytest.mark.parametrize("ratio", [mpf("0.6"), mpf("1.4"), mpf("6")])
+def test_directions_of_equilibrium(formulas, ratio):
+    """One hill, one well, and a second pair of each above the astroid: as many as θ″ has zeros."""
+    for alpha in (mpf("0.05"), mpf("0.8"), mpf("1.5")):
+        field = (mpf(1), ratio, alpha)
+        start = mpf(10) ** -9
+
+        def changes(function, low, high, start=start):
+            grid = mp.linspace(low + start, high - start, 400)
+            signs = [mp.sign(function(x)) for x in grid]
+            return sum(one != two for one, two in pairwise(signs))
+
+        hills = changes(lambda y, field=field: formulas["moment_before_field"](*field, y), 0, alpha)
+        wells = changes(lambda w, field=field: formulas["moment_past_normal"](*field, w), 0, mp.pi / 2 - alpha)
+        more = changes(lambda x, a=alpha: formulas["pair_height"](a, x) - ratio, 0, mp.pi / 2)
+        least = (mp.cos(alpha) ** (mpf(2) / 3) + mp.sin(alpha) ** (mpf(2) / 3)) ** (mpf(3) / 2)
+        assert (hills, wells, more) == (1, 1, 2 if ratio > least else 0)
+        whole = changes(lambda x, field=field: formulas["moment"](*field, x), mpf("0.01"), 2 * mp.pi + mpf("0.01"))
+        assert whole == hills + wells + more
