@@ -123,7 +123,10 @@ def emitted_files(runner: Runner, job: pipeline.Job, folder: Path, *, kernels: b
             for family in FORMULA_FILES
         ]
         texts = runner.results(tasks, stages.derived)
-        files |= {kernels_folder() / f"{FORMULA_FILES[name]}.py": text for name, text in zip(FORMULA_FILES, texts, strict=True)}
+        files |= {
+            kernels_folder() / f"{FORMULA_FILES[name]}.py": text
+            for name, text in zip(FORMULA_FILES, texts, strict=True)
+        }
     return files
 
 

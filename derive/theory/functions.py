@@ -2,7 +2,8 @@
 
 They are names with derivatives, nothing more: proving lives in ``check``, computing in the emitted kernels.
 
-- ``wp(u, g2, g3)``, ``wp_prime``, ``wzeta``, ``wsigma``: Weierstrass functions of invariants g₂, g₃ (DLMF 23.2); ``wlog_sigma``: ln σ.
+- ``wp(u, g2, g3)``, ``wp_prime``, ``wzeta``, ``wsigma``: Weierstrass functions of invariants g₂, g₃ (DLMF 23.2).
+- ``wlog_sigma(u, g2, g3)``: ln σ, continued.
 - ``half_period(n, g2, g3)`` and ``perimeter_point(c, g2, g3)``: where, on the rectangle of half-periods.
 - ``RF(x, y, z)``, ``RC(x, y)``, ``RJ(x, y, z, p)``, ``RD(x, y, z)``: Carlson's symmetric integrals (DLMF 19.16).
 """

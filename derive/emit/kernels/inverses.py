@@ -1,4 +1,4 @@
-"""Inverse functions at the ends of their domains: an argument that rounding has put beyond the end counts as the end."""
+"""Inverse functions at the ends of their domains: what rounding has put beyond the end counts as the end."""
 
 from __future__ import annotations
 

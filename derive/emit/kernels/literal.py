@@ -19,6 +19,7 @@ from derive.emit.kernels.article_formulas import (
     article_g2,
     article_g3,
     article_levels,
+    article_logarithm,
     article_root_2,
     article_root_a,
     article_root_b,
@@ -117,7 +118,8 @@ def y_along(beta, eta, motion, s):
         return each_real(article_y_linear(beta, motion.constant, motion.u_o, s, motion.g2, motion.g3))
     b, c = article_b(beta, eta, motion.constant), article_c(beta, eta, motion.constant)
     v = perimeter_point(c, motion.g2, motion.g3)
-    return each_real(article_y(eta, b, v, motion.u_o, s, motion.g2, motion.g3))
+    logarithm = article_logarithm(v, motion.u_o, s, motion.g2, motion.g3)
+    return each_real(article_y(eta, b, v, s, logarithm, motion.g2, motion.g3))
 
 
 def goes_through(motion):
