@@ -223,6 +223,26 @@ def test_the_twins_agree(modules: Any) -> None:
         assert float(getattr(pair[0], name)) == pytest.approx(float(getattr(pair[1], name)), abs=1e-12)
 
 
+@pytest.mark.parametrize("backend", ["numpy", "mpmath"])
+def test_a_clamp_where_the_function_is_infinite(backend: str, modules: Any) -> None:
+    """In an orthogonal field u may be 0 to the last digit, where ξ = 1: the rod begins along the force."""
+    module, (beta, eta) = modules["orthogonal", backend], (0.25, 1.5)
+    if backend == "mpmath":
+        beta, eta = mpf(beta), mpf(eta)
+    one = rod_of(
+        "orthogonal", beta, eta, 1.0, mpf(1) if backend == "mpmath" else 1.0, mp if backend == "mpmath" else math
+    )
+    constant = module.article_constant(eta, one.gamma)
+    g2, g3 = module.article_g2(beta, eta, constant), module.article_g3(beta, eta, constant)
+    one.rod.length = module.half_periods(g2, g3)[0]
+    assert module.motion_of(beta, eta, one.rod.length, one.gamma, one.tip_angle).u_o == 0
+    found = module.literal(one, [0.0])
+    assert float(found.theta[0]) == found.y[0] == 0
+    path = integrate(1.0, float(beta), float(eta), pi / 2, float(one.rod.length), 25)
+    assert abs(float(path.clamp.theta)) < 1e-14
+    assert float(found.curvature[0]) == pytest.approx(float(path.clamp.curvature), rel=1e-12)
+
+
 # Where it has no value
 
 

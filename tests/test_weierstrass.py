@@ -87,6 +87,11 @@ def test_identities(sizes, place):
         assert abs(np.exp(kernel.wlog_sigma(u, g2, g3)) - sigma) <= loss * 10 * abs(sigma)
 
 
+def test_at_a_lattice_point_the_inverse_is_nothing():
+    g2, g3, _ = invariants(1.0, 2.0)
+    assert abs(1 / kernel.wp(np.array([0.0, 0.1]), g2, g3)[0]) < 1e-40
+
+
 @given(gaps)
 @settings(max_examples=40, deadline=None)
 def test_half_periods_are_where_they_are_called(sizes):

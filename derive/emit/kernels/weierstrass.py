@@ -106,11 +106,14 @@ def cell_of(u, lattice):
 
 
 def wp(u, g2, g3):
-    """℘(u; g₂, g₃) for complex u, elementwise (DLMF 23.8.1, its rows summed: 20.5(ii)); no value at lattice points."""
+    """℘(u; g₂, g₃) for complex u, elementwise (DLMF 23.8.1, its rows summed: 20.5(ii)).
+
+    At a lattice point, where ℘ is infinite, a number so large that its inverse is 0 to rounding.
+    """
     lattice = lattice_of(g2, g3)
     x = cell_of(u, lattice).x
-    cosine = each_cos(2 * x)
-    value = 1 / each_sin(x) ** 2
+    cosine, sine = each_cos(2 * x), each_sin(x)
+    value = 1 / each_where(sine == 0, epsilon() ** 2, sine) ** 2
     for q in lattice.powers:
         below = 1 - 2 * q * cosine + q * q
         value = value - 8 * q * ((1 + q * q) * cosine - 2 * q) / below**2
