@@ -19,6 +19,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
 
 from derive import output, pipeline, show, stages
 from derive.cache import Cache, write_atomically
+from derive.emit.backends import FORMULA_FILES
 from derive.measure.loading import load
 from derive.numbers import MistakeError, given_numbers, parameters
 from derive.resources import kernels_folder, shipped_scenes
@@ -117,8 +118,15 @@ def emitted_files(runner: Runner, job: pipeline.Job, folder: Path, *, kernels: b
     files = {folder / f"{module['name']}.py": module["text"] for module in job.modules}
     files[folder / "__init__.py"] = output.PACKAGE_DOC
     if kernels and folder == output.default_folder() and output.in_checkout():
-        task = Task("emit", "kernel formulas", stages.emit_formulas, (), stages.emission_paths())
-        files[kernels_folder() / "formulas.py"] = runner.results([task], stages.derived)[0]
+        tasks = [
+            Task("emit", f"{family} formulas", stages.emit_formulas, (family,), stages.emission_paths())
+            for family in FORMULA_FILES
+        ]
+        texts = runner.results(tasks, stages.derived)
+        files |= {
+            kernels_folder() / f"{FORMULA_FILES[name]}.py": text
+            for name, text in zip(FORMULA_FILES, texts, strict=True)
+        }
     return files
 
 

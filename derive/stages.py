@@ -169,11 +169,11 @@ def emit(scene_text: str, label: str, backend: str) -> dict[str, Any]:
     return {**found, "failure": "", "text": module.text, "proof": proof, "left_out": list(module.left_out)}
 
 
-def emit_formulas() -> str:
-    """The text of the kernels' own formulas."""
+def emit_formulas(family: str) -> str:
+    """The text of the kernels' own formulas, of one family."""
     from derive.emit.module import emit_kernel_formulas
 
-    return str(emit_kernel_formulas(theory()))
+    return str(emit_kernel_formulas(theory(), family))
 
 
 def list_rods(case: str, folded: dict[str, float]) -> int:

@@ -11,7 +11,7 @@ Formulas, each proved equal to its derivation:
     level_above_gap (slch1), moment_from_side (exsl6), moment_from_top (exsl6), point_minus (exsl22),
     point_other (exsl22), point_plus (exsl22), rising_level (slch1), rod_energy (exsl8), side_moment (exsl6),
     straight_stiffness, tip_gamma (slch3), tip_gap (slch1)
-Digest of the inputs: sha256 e17f1ad4ca2ecc9fb4f5f017dc543e295597f74c7b00f3ec430f77e7b221fa6f
+Digest of the inputs: sha256 13e740a466fbd861e342e04ead3e4aa771bb33d7963a1f067ed9a624278a54bb
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ Formulas, each proved equal to its derivation:
     moment_from_side (exsl6), moment_from_top (exsl6), point_minus (exsl22), point_other (exsl22),
     point_plus (exsl22), rod_energy (slch5), side_moment (exsl6), straight_stiffness, tip_gamma (slch6),
     tip_gap (slch4)
-Digest of the inputs: sha256 97562e9333ff5a2347a8a1953c95d3bb247570efdbf73beb6d968edf7a6b7376
+Digest of the inputs: sha256 18a5d6fb52b733f4e5df08b08c100453e2c453a006981b61c4b8a72be30a4695
 """
 
 from __future__ import annotations

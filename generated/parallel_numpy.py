@@ -11,7 +11,7 @@ Formulas, each proved equal to its derivation:
     level_above_gap (exsl13), moment_from_side (exsl6), moment_from_top (exsl6), point_minus (exsl22),
     point_other (exsl22), point_plus (exsl22), rising_level (exsl13), rod_energy (exsl8), side_moment (exsl6),
     straight_stiffness, tip_gamma (exsl23), tip_gap (exsl13)
-Digest of the inputs: sha256 b7a110e44a6c7c0a417dd52d5526aa34d7ac41e7d218659fc03977fd71237ef0
+Digest of the inputs: sha256 348c2bd56e2bc1ab3d713f7b7b7d6b320651865017c9a5dc0cbcc556ba015c47
 """
 
 from __future__ import annotations

@@ -58,7 +58,7 @@ def test_shipped_scenes_are_read():
     [
         (HEAD.replace("case", "caze"), 3, "possible: backends, case, name, outputs, title"),
         (HEAD.replace('"parallel"', '"paralel"'), 3, "did you mean 'parallel'"),
-        (HEAD.replace('"shape"', '"shapes"'), 4, "possible: equilibria, shape, sweep"),
+        (HEAD.replace('"shape"', '"shapes"'), 4, "possible: equilibria, literal, shape, sweep"),
         (HEAD + 'backends = ["fortran"]\n', 5, "possible: mpmath, numpy"),
         (HEAD + "title = 3\n", 5, "must be a string"),
         (HEAD + "[constants]\nlenght = 80\n", 6, "did you mean 'length'"),

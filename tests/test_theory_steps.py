@@ -32,6 +32,7 @@ ROOTS = {
     "shape.addition": "a property of the Weierstrass functions: the addition theorem",
     "swing.sines": "a difference of cosines by half angles",
     "swing.legendre": "a quadratic form in the cosine and sine of an angle, by half the angle",
+    "article.logarithm": "a property of the Weierstrass functions: the derivative of ln σ (DLMF 23.2.8)",
 }
 
 
@@ -81,6 +82,7 @@ def test_only_general_facts_do_without_the_energy(claims):
         "plane",
         "weierstrass",
         "shape",
+        "article",
         "oblique",
         "swing",
     }

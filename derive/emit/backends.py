@@ -67,8 +67,18 @@ FUNCTIONS: dict[str, tuple[str, str]] = {
     "atan2": ("array_arithmetic", "each_atan2"),
     "asinh": ("array_arithmetic", "each_asinh"),
     "Abs": ("array_arithmetic", "each_abs"),
+    "asin": ("inverses", "near_asin"),
+    "acosh": ("inverses", "near_acosh"),
+    "wp": ("weierstrass", "wp"),
+    "wp_prime": ("weierstrass", "wp_prime"),
+    "wzeta": ("weierstrass", "wzeta"),
+    "wsigma": ("weierstrass", "wsigma"),
+    "wlog_sigma": ("weierstrass", "wlog_sigma"),
     "pi": ("arithmetic", "pi"),
 }
+
+# The kernel file from which kernels import the formulas of a family; `derive emit` writes it.
+FORMULA_FILES = {"solver": "formulas", "article": "article_formulas"}
 
 # Sections of an emitted module, in order, and where the units of a kernel file go.
 SECTIONS = {
@@ -81,6 +91,7 @@ SECTIONS = {
 RESULTS = ("Equilibrium", "Shape", "Sweep")  # classes of what the outputs return, wherever a kernel defines them
 FILE_SECTIONS = {
     **dict.fromkeys(("arithmetic", "array_arithmetic", "carlson", "carlson_each", "agm"), "special"),
+    **dict.fromkeys(("inverses", "weierstrass"), "special"),
     "formulas": "formulas",
     "api": "interface",
 }

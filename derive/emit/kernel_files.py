@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from derive.emit.backends import BACKENDS, Backend, External
+from derive.emit.backends import BACKENDS, FORMULA_FILES, Backend, External
 from derive.emit.errors import EmitError
 from derive.resources import kernels_folder
 
@@ -35,9 +35,10 @@ class KernelFile:
 
 
 def read_kernels(folder: Path | None = None) -> dict[str, str]:
-    """The text of every kernel file by stem, without the emitted one."""
+    """The text of every kernel file by stem, without the emitted ones."""
+    emitted = ("__init__", *FORMULA_FILES.values())
     paths = sorted((folder or kernels_folder()).glob("*.py"))
-    return {path.stem: path.read_text(encoding="utf-8") for path in paths if path.stem not in ("__init__", "formulas")}
+    return {path.stem: path.read_text(encoding="utf-8") for path in paths if path.stem not in emitted}
 
 
 def parse_kernel(stem: str, text: str) -> KernelFile:

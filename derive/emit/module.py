@@ -67,7 +67,7 @@ def emit_module(
         raise EmitError(
             f"the theory has no formulas for case '{scene.case}' of scene '{scene.name}'; derive them first"
         )
-    general = {name: tuple(s.name for s in f.arguments) for name, f in formulas_of(theory, GENERAL_CASE).items()}
+    general = {f.name: tuple(s.name for s in f.arguments) for f in kernel_formulas(theory)}
     slicer = Slicer(known, formulas, general, scene.folded, common=common)
     for output in scene.outputs:
         if not isinstance(slicer.piece("api", output, f"scene '{scene.name}'"), str):
@@ -123,11 +123,23 @@ def _digest(
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()
 
 
-def emit_kernel_formulas(theory: Any) -> str:
-    """The text of ``kernels/formulas.py``: the formulas of the general case, for kernels to import as they stand."""
-    formulas = list(formulas_of(theory, GENERAL_CASE).values())
+def kernel_formulas(theory: Any, family: str = "") -> list[Formula]:
+    """The formulas that kernels import as they stand, of one family or all: those of the general case.
+
+    Of the article's own formulas, those that the general case does not have are taken from the first case that has.
+    """
+    found = dict(formulas_of(theory, GENERAL_CASE))
+    for formula in theory.formulas:
+        if formula.family == "article":
+            found.setdefault(formula.name, formula)
+    return [formula for formula in found.values() if family in ("", formula.family)]
+
+
+def emit_kernel_formulas(theory: Any, family: str = "solver") -> str:
+    """The text of ``kernels/formulas.py``, or of the file of another family (a key of FORMULA_FILES)."""
+    formulas = kernel_formulas(theory, family)
     if not formulas:
-        raise EmitError(f"the theory has no formulas for case '{GENERAL_CASE}'; derive them first")
+        raise EmitError(f"the theory has no {family} formulas for case '{GENERAL_CASE}'; derive them first")
     nodes = [formula_function(formula) for formula in formulas]
     called = {n.id for node in nodes for n in ast.walk(node) if isinstance(n, ast.Name)}
     modules: dict[str, set[str]] = {}
@@ -138,8 +150,11 @@ def emit_kernel_formulas(theory: Any) -> str:
         line for file in sorted(modules) for line in from_import(f"derive.emit.kernels.{file}", sorted(modules[file]))
     ]
     parts = [GENERAL_CASE, *(f"{f.name}({', '.join(map(str, f.arguments))}) = {srepr(f.expression)}" for f in formulas)]
+    title = f"The formulas of the load case '{GENERAL_CASE}' as the theory derives them, nothing folded."
+    if family == "article":
+        title = f"The article's own formulas for the load case '{GENERAL_CASE}', and those that only another case has."
     context = {
-        "case": GENERAL_CASE,
+        "title": title,
         "digest": hashlib.sha256("\n".join(parts).encode()).hexdigest(),
         "imports": lines,
         "functions": ["\n".join(lines_of(node, ())) for node in nodes],

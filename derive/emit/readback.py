@@ -15,7 +15,7 @@ import sympy
 from sympy import Expr, Rational, Symbol
 
 from derive.emit.errors import EmitError
-from derive.theory.functions import RC, RD, RF, RJ
+from derive.theory.functions import RC, RD, RF, RJ, wlog_sigma, wp, wp_prime, wsigma, wzeta
 
 _PACKAGES = ("math", "numpy", "mpmath")
 # Functions of the packages above, by their names there.
@@ -32,7 +32,20 @@ _PACKAGE_FUNCTIONS: dict[str, Callable[..., Any]] = {
     "abs": sympy.Abs,
 }
 # Functions that the module defines, or a kernel file takes from another.
-_KERNEL_FUNCTIONS: dict[str, Callable[..., Any]] = {"rf": RF, "rc": RC, "rj": RJ, "rd": RD}
+_KERNEL_FUNCTIONS: dict[str, Callable[..., Any]] = {
+    "rf": RF,
+    "rc": RC,
+    "rj": RJ,
+    "rd": RD,
+    "near_asin": sympy.asin,
+    "near_acosh": sympy.acosh,
+    "wp": wp,
+    "wp_prime": wp_prime,
+    "wzeta": wzeta,
+    "wsigma": wsigma,
+    "wlog_sigma": wlog_sigma,
+}
+_KERNEL_FILES = ("carlson", "carlson_each", "inverses", "weierstrass")
 _ARRAY_PREFIX = "each_"
 _OPERATIONS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.Add: operator.add,
@@ -149,7 +162,7 @@ class _Reader:
         if package == "array_arithmetic" and name.removeprefix(_ARRAY_PREFIX) in _PACKAGE_FUNCTIONS:
             return _PACKAGE_FUNCTIONS[name.removeprefix(_ARRAY_PREFIX)](*arguments)
         local = node.func.id if isinstance(node.func, ast.Name) and name == "local" else ""
-        kernel = local or (name if package.startswith("carlson") else "")
+        kernel = local or (name if package in _KERNEL_FILES else "")
         if kernel in _KERNEL_FUNCTIONS:
             return _KERNEL_FUNCTIONS[kernel](*arguments)
         raise self.error(node, "the reader's table has no such function")

@@ -32,7 +32,8 @@ CASES: dict[str, dict[str, Expr]] = {
     "field_only": {"beta": Integer(0), "field_angle": Integer(0)},
     "force_only": {"eta": Integer(0), "field_angle": Integer(0)},
 }
-OUTPUTS = ("equilibria", "shape", "sweep")
+OUTPUTS = ("equilibria", "shape", "sweep", "literal")
+ARTICLE_CASES = ("parallel", "orthogonal", "field_only", "force_only")  # those for which the article has formulas
 BACKENDS = ("numpy", "mpmath")
 _KEYS: dict[str, Any] = {"name": str, "title": str, "case": str, "outputs": list, "backends": list}
 _REQUIRED = ("name", "case", "outputs")
@@ -114,11 +115,16 @@ def parse_scene(text: str, label: str = "scene") -> Scene:
         raise source.error("the table [scene] is missing", "", "scene")
     _check_types(table, source)
     case = _one_of(table["case"], CASES, "case", source)
+    outputs = _some_of(table["outputs"], OUTPUTS, "outputs", source)
+    if "literal" in outputs and case not in ARTICLE_CASES:
+        known = ", ".join(ARTICLE_CASES)
+        message = f"the article has no formulas for case '{case}', so there is no output 'literal'; it has: {known}"
+        raise source.error(message, "scene", "outputs")
     return Scene(
         name=_name(table["name"], source),
         title=str(table.get("title", table["name"])),
         case=case,
-        outputs=_some_of(table["outputs"], OUTPUTS, "outputs", source),
+        outputs=outputs,
         backends=_some_of(table.get("backends", list(BACKENDS)), BACKENDS, "backends", source),
         constants=_constants(data.get("constants", {}), case, source),
     )

@@ -5,10 +5,11 @@ from __future__ import annotations
 import ast
 import copy
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 
 from sympy import Expr, nan, oo, zoo
 
-from derive.emit.backends import FUNCTIONS, MODULE_ALIASES, External
+from derive.emit.backends import FORMULA_FILES, FUNCTIONS, MODULE_ALIASES, External
 from derive.emit.errors import EmitError, choices
 from derive.emit.kernel_files import Definition, KernelFiles
 from derive.emit.layout import stamp
@@ -35,7 +36,7 @@ class Slicer:
 
     def piece(self, file: str, name: str, wanted_by: str) -> str | External:
         """The piece for ``name`` of a kernel file, made if need be: its final name, or where outside it comes from."""
-        if file == "formulas":
+        if file in FORMULA_FILES.values():
             return self._formula(name)
         found = self.kernels.lookup(file, name)
         if found is None:
@@ -137,15 +138,7 @@ def specialise_formula(formula: Formula, folded: Mapping[str, Expr]) -> Formula:
     if not fixed:
         return formula
     arguments = tuple(symbol for symbol in formula.arguments if symbol not in fixed)
-    return Formula(
-        formula.name,
-        arguments,
-        formula.expression.subs(fixed),
-        formula.claim,
-        formula.doc,
-        formula.case,
-        formula.source,
-    )
+    return replace(formula, arguments=arguments, expression=formula.expression.subs(fixed))
 
 
 def _written(external: External) -> str:

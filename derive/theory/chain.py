@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from . import equilibrium, oblique, plane, quartic, shape, swing, tip, weierstrass
+from . import article, equilibrium, oblique, plane, quartic, shape, swing, tip, weierstrass
 from .claims import Formula, Notebook
 from .load_case import LoadCase
 from .oblique import Oblique
@@ -16,7 +16,7 @@ from .swing import Swing
 from .tip import Tip
 from .weierstrass import Weierstrass
 
-STEPS = ("plane", "quartic", "weierstrass", "shape", "tip", "oblique", "swing")
+STEPS = ("plane", "quartic", "weierstrass", "shape", "tip", "article", "oblique", "swing")
 
 
 @dataclass(frozen=True)
@@ -62,11 +62,14 @@ def derive_section3(section2: Any, book: Notebook, last: str = STEPS[-1]) -> Any
     tips = tip.derive(cases, functions, book)
     if last == "tip":
         return tips
+    literal = article.derive(cases, functions, shapes, book)
+    if last == "article":
+        return literal
     any_angle = oblique.derive(plane_problem, cases, functions, book)
     if last == "oblique":
         return any_angle
     motion = swing.derive(plane_problem, any_angle, book)
-    formulas = tuple(formula for one in tips.values() for formula in one.formulas)
+    formulas = tuple(formula for one in tips.values() for formula in one.formulas) + literal
     formulas += motion.formulas if motion else ()
     return Theory(section2, plane_problem, cases, functions, shapes, tips, any_angle, motion, formulas, book)
 

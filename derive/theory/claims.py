@@ -100,7 +100,8 @@ class Formula:
 
     name: the function's name in emitted code. arguments: its parameters in order. expression: in those symbols
     only. claim: id of the claim that proves it. doc: its meaning, with units where it has any. case: the load
-    case to which it belongs. source: equation of the article it stands for.
+    case to which it belongs. source: equation of the article it stands for. family: 'solver', or 'article' if it is
+    kept in the article's own form, to be compared with the solver.
     """
 
     name: str
@@ -110,6 +111,7 @@ class Formula:
     doc: str
     case: str = ""
     source: str = ""
+    family: str = "solver"
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@
 They are names with derivatives, nothing more: proving lives in ``check``, computing in the emitted kernels.
 
 - ``wp(u, g2, g3)``, ``wp_prime``, ``wzeta``, ``wsigma``: Weierstrass functions of invariants g₂, g₃ (DLMF 23.2).
+- ``wlog_sigma(u, g2, g3)``: ln σ, continued.
 - ``half_period(n, g2, g3)`` and ``perimeter_point(c, g2, g3)``: where, on the rectangle of half-periods.
 - ``RF(x, y, z)``, ``RC(x, y)``, ``RJ(x, y, z, p)``, ``RD(x, y, z)``: Carlson's symmetric integrals (DLMF 19.16).
 """
@@ -81,6 +82,18 @@ class wsigma(Function):  # noqa: N801 - the standard name of the function
         if argindex != 1:
             raise ArgumentIndexError(self, argindex)
         return wzeta(*self.args) * wsigma(*self.args)
+
+
+class wlog_sigma(Function):  # noqa: N801 - named like the functions above
+    """A logarithm of σ(u; g₂, g₃), continuous along lines parallel to the real axis; its derivative is ζ."""
+
+    nargs = 3
+
+    def fdiff(self, argindex: int = 1) -> Expr:
+        """ζ."""
+        if argindex != 1:
+            raise ArgumentIndexError(self, argindex)
+        return wzeta(*self.args)
 
 
 class half_period(Function):  # noqa: N801 - a constant of the lattice, named like the functions above

@@ -1,4 +1,4 @@
-"""What an emitted module offers: equilibria, shape, sweep."""
+"""What an emitted module offers: equilibria, shape, sweep, literal."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import numpy as np
 from derive.emit.kernels.arguments import Given, check
 from derive.emit.kernels.arithmetic import real
 from derive.emit.kernels.equilibria import Equilibrium, all_equilibria
+from derive.emit.kernels.literal import angle_and_position_literally
 from derive.emit.kernels.shapes import angle_and_position
 
 
@@ -62,6 +63,20 @@ def shape(equilibrium: Equilibrium, s) -> Shape:
     if not np.all((s >= 0) & (s <= equilibrium.rod.length)):
         raise ValueError(f"s must lie in [0, {equilibrium.rod.length!r}], the rod")
     return Shape(*angle_and_position(equilibrium, s))
+
+
+def literal(equilibrium: Equilibrium, s) -> Shape:
+    """The same as ``shape`` by the article's own formulas, to be compared with it.
+
+    Of the equilibrium it takes gamma and the tip angle, and its rod. It loses digits where the solver loses none: half
+    of those of theta and z where the rod is straight up or down or its curvature vanishes, as at the tip, and ever
+    more where two roots of f come near. Raises ValueError where the formulas have no value: two of the roots meet to
+    rounding (so for a straight rod), or a load by which they divide is 0; and where an s is not on the rod.
+    """
+    s = np.asarray(s, dtype=float)
+    if not np.all((s >= 0) & (s <= equilibrium.rod.length)):
+        raise ValueError(f"s must lie in [0, {equilibrium.rod.length!r}], the rod")
+    return Shape(*angle_and_position_literally(equilibrium, s))
 
 
 def sweep(beta, eta, length, clamp_angle) -> Sweep:

@@ -8,6 +8,7 @@ from derive.emit.kernels.api import Shape, Sweep, equilibria
 from derive.emit.kernels.arguments import Given, check
 from derive.emit.kernels.arithmetic import real
 from derive.emit.kernels.equilibria import Equilibrium
+from derive.emit.kernels.literal import angle_and_position_literally
 from derive.emit.kernels.shapes import angle_and_position
 
 
@@ -20,6 +21,23 @@ def shape(equilibrium: Equilibrium, s) -> Shape:
     if not all(0 <= place <= equilibrium.rod.length for place in places):
         raise ValueError(f"s must lie in [0, {equilibrium.rod.length!r}], the rod")
     rows = [angle_and_position(equilibrium, place) for place in places]
+    if not isinstance(s, Iterable):
+        return Shape(*rows[0])
+    return Shape(*([row[k] for row in rows] for k in range(4)))
+
+
+def literal(equilibrium: Equilibrium, s) -> Shape:
+    """The same as ``shape`` by the article's own formulas, to be compared with it.
+
+    Of the equilibrium it takes gamma and the tip angle, and its rod. It loses digits where the solver loses none: half
+    of those of theta and z where the rod is straight up or down or its curvature vanishes, as at the tip, and ever
+    more where two roots of f come near. Raises ValueError where the formulas have no value: two of the roots meet to
+    rounding (so for a straight rod), or a load by which they divide is 0; and where an s is not on the rod.
+    """
+    places = [real("s", place) for place in s] if isinstance(s, Iterable) else [real("s", s)]
+    if not all(0 <= place <= equilibrium.rod.length for place in places):
+        raise ValueError(f"s must lie in [0, {equilibrium.rod.length!r}], the rod")
+    rows = [angle_and_position_literally(equilibrium, place) for place in places]
     if not isinstance(s, Iterable):
         return Shape(*rows[0])
     return Shape(*([row[k] for row in rows] for k in range(4)))

@@ -58,9 +58,9 @@ def arc_to(beta, eta, field_angle, motion, point, square, rest, extent):
     lift = complex_of(lift_of(motion, square, rest), -strength)
     third = rj_pair(point.one, point.product, point.root_sum, pole, lift, less, twist)
     excess = complex_of(0, 2 * strength / 3) * third
-    direction = complex_of(cos(motion.tip), sin(motion.tip))
-    place = direction * (extent + excess)
-    return Arc(place.real, place.imag, arc_square(beta, eta, lean, motion, point, square, rest, extent, excess))
+    place = complex_of(cos(motion.tip), sin(motion.tip)) * (extent + excess)
+    kept = (beta * cos(motion.tip) + eta * cos(lean) * cos(lean)) * extent - beta * place.real
+    return Arc(place.real, place.imag, kept - 2 * second_part(beta, eta, lean, motion, point, square, rest, extent))
 
 
 def lift_of(motion, square, rest):
@@ -70,13 +70,13 @@ def lift_of(motion, square, rest):
     return near * (turn + 2 * far * rest / square) / 8
 
 
-def arc_square(beta, eta, lean, motion, point, square, rest, extent, excess):
-    """η∫cos²(θ − α) from the tip to a point."""
+def second_part(beta, eta, lean, motion, point, square, rest, extent):
+    """d℘/dσ·Re 1/(℘ − ℘(v)) less 2∫(℘ − e₁), by which η∫cos²(θ − α) is told from what does not grow along the rod."""
     a, b = motion.end / 2, motion.middle / 2
     strength, x = point.strength, point.pole
     growth = beta * cos(motion.tip) + eta * cos(2 * lean)
     cubic = beta * sin(motion.tip) - eta * sin(lean) * cos(lean)
-    first = strength * cos(motion.half_width) / motion.sine
+    first = motion.near * cos(motion.half_width) / 8
     pair_sum = -growth / 4 - first
     pair_product = strength * cubic / 4 - first * pair_sum
     delta = sqrt(a * a * rest + b * b * square)
@@ -88,12 +88,7 @@ def arc_square(beta, eta, lean, motion, point, square, rest, extent, excess):
     near = 4 * (b - a) * (b + a) * across / delta
     near = near + 2 * root * (strength * strength + gap) / (x * x + strength * strength)
     kink = pick(x > 1, near, far)
-    second = 4 * second_kind(a, b, square, rest, extent)
-    linear = 2 * (a * a - first) * extent
-    turned = excess * complex_of(growth / 2, 3 * strength - cubic / 4)
-    double = complex_of(cos(2 * lean), sin(2 * lean)) * (extent + 2 * excess)
-    part = -eta * double.real / 4 + kink + second + linear + turned.real
-    return eta * extent / 2 - 2 * part
+    return kink + 4 * second_kind(a, b, square, rest, extent) + 2 * (a * a - first) * extent
 
 
 def rj_pair(x, product, root_sum, p, lift, less, twist):

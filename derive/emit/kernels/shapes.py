@@ -53,7 +53,8 @@ def regular_part(rod, motion, length):
     point, half = point_at(motion, square, rest)
     arc = arc_to(rod.beta, rod.eta, rod.field_angle, motion, point, square, rest, length)
     # dx/dσ = −2√X₁X₂X₃ and x = b cot(δ/2).
-    speed = 4 * sqrt(point.one) * point.product * sin(half) * sin(half) / point.strength
+    low = sin(half)
+    speed = 4 * sqrt(point.one) * point.product * low * low / point.strength
     return motion.tip + 2 * half, speed, arc
 
 
@@ -76,7 +77,12 @@ def point_at(motion, square, rest):
     tilt = 2 * motion.skew * motion.sine / (near + far) + turned * (near + far)
     sine, cosine = sin(motion.half_width / 2), motion.half_cosine
     level = near * versine + far * (1 + turned)
-    half = atan2(2 * sine * cosine * near * versine, cosine * cosine * level + sine * sine * tilt)
-    low, high = sin(half), sin(motion.half_width - half)
+    first = 2 * sine * cosine * near * versine
+    first_level = cosine * cosine * level + sine * sine * tilt
+    second = 4 * sine * cosine * far * rest / scale
+    second_level = cosine * cosine * level - sine * sine * tilt
+    low = first / sqrt(first * first + first_level * first_level)
+    high = second / sqrt(second * second + second_level * second_level)
     product = near * bent * (far * low + near * high) / (8 * low)
-    return Point(strength, strength * cos(half) / low, one, product, 2 * delta / sqrt(square)), half
+    pole = strength * first_level / first
+    return Point(strength, pole, one, product, 2 * delta / sqrt(square)), atan2(first, first_level)
