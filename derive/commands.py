@@ -113,12 +113,13 @@ def failed(job: pipeline.Job) -> int:
 
 
 def emitted_files(runner: Runner, job: pipeline.Job, folder: Path, *, kernels: bool) -> dict[Path, str]:
-    """Path and text of all that is written: the modules, their package, in a checkout the kernels' own formulas."""
+    """Path and text of all that is written: the modules, their package, in a checkout emitted kernel files."""
     files = {folder / f"{module['name']}.py": module["text"] for module in job.modules}
     files[folder / "__init__.py"] = output.PACKAGE_DOC
     if kernels and folder == output.default_folder() and output.in_checkout():
-        task = Task("emit", "kernel formulas", stages.emit_formulas, (), stages.emission_paths())
-        files[kernels_folder() / "formulas.py"] = runner.results([task], stages.derived)[0]
+        task = Task("emit", "kernels", stages.emit_kernels, (), stages.emission_paths())
+        (texts,) = runner.results([task], stages.derived)
+        files |= {kernels_folder() / f"{stem}.py": text for stem, text in texts.items()}
     return files
 
 

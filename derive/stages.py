@@ -169,11 +169,11 @@ def emit(scene_text: str, label: str, backend: str) -> dict[str, Any]:
     return {**found, "failure": "", "text": module.text, "proof": proof, "left_out": list(module.left_out)}
 
 
-def emit_formulas() -> str:
-    """The text of the kernels' own formulas."""
-    from derive.emit.module import emit_kernel_formulas
+def emit_kernels() -> dict[str, str]:
+    """The text of the kernel files that are emitted: the kernels' own formulas, and array instances."""
+    from derive.emit.committed import emit_kernels
 
-    return str(emit_kernel_formulas(theory()))
+    return emit_kernels(theory())
 
 
 def list_rods(case: str, folded: dict[str, float]) -> int:

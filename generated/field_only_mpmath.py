@@ -11,7 +11,7 @@ Formulas, each proved equal to its derivation:
     level_above_gap (slch1), moment_from_side (exsl6), moment_from_top (exsl6), point_minus (exsl22),
     point_other (exsl22), point_plus (exsl22), rising_level (slch1), rod_energy (exsl8), side_moment (exsl6),
     straight_stiffness, tip_gamma (slch3), tip_gap (slch1)
-Digest of the inputs: sha256 82a5c55c4772d8c11e0b784ba2294d83e5a28e262629365a3ddb5e4fefa8c7fc
+Digest of the inputs: sha256 6a8df7c2f7b28e2890e9361fd7e14164b1b33c16f9d96caf42ebf3ecfd156a90
 """
 
 from __future__ import annotations

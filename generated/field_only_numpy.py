@@ -5,13 +5,13 @@ Emitted by `derive emit` from the scene 'field_only': do not edit, change the sc
 Gives: equilibria, shape, sweep.
 Load case: field only, beta = 0. Valid for eta >= 0, length > 0, any clamp_angle.
 Formulas, each proved equal to its derivation:
-    arc_length (DLMF 19.25.35), arc_square (DLMF 19.29(ii)), arc_y (exsl36), arc_z (exsl41),
-    curvature_squared (exsl8), drive_between (slch1), drop_at_level (slch1), drop_from_gaps (slch1),
-    gap_below (slch1), gap_from_side (slch1), gap_minus_plus, gap_other_minus, gap_other_plus,
-    level_above_gap (slch1), moment_from_side (exsl6), moment_from_top (exsl6), point_minus (exsl22),
-    point_other (exsl22), point_plus (exsl22), rising_level (slch1), rod_energy (exsl8), side_moment (exsl6),
-    straight_stiffness, tip_gamma (slch3), tip_gap (slch1)
-Digest of the inputs: sha256 e17f1ad4ca2ecc9fb4f5f017dc543e295597f74c7b00f3ec430f77e7b221fa6f
+    arc_length (DLMF 19.25.35), arc_square (DLMF 19.29(ii)), arc_y (exsl36), arc_y_each (exsl36), arc_z (exsl41),
+    arc_z_each (exsl41), curvature_squared (exsl8), drive_between (slch1), drop_at_level (slch1),
+    drop_from_gaps (slch1), gap_below (slch1), gap_from_side (slch1), gap_minus_plus, gap_other_minus,
+    gap_other_plus, level_above_gap (slch1), moment_from_side (exsl6), moment_from_top (exsl6),
+    point_minus (exsl22), point_other (exsl22), point_plus (exsl22), rising_level (slch1), rod_energy (exsl8),
+    side_moment (exsl6), straight_stiffness, tip_gamma (slch3), tip_gap (slch1)
+Digest of the inputs: sha256 2e80c6c335eb393ad863e61309b310e9f5a245d77f09aa174487925c4ec0872f
 """
 
 from __future__ import annotations
@@ -368,7 +368,7 @@ def arc_square(eta, plus, minus, drive, gap, xi_tip, arc, x_plus, x_minus, x_oth
     Equation DLMF 19.29(ii); proved as tip.field_only.arc_square.
     """
     return (
-        plus * drive * np.sqrt(x_minus) * np.sqrt(x_other) / ((x_other + 0.25 * eta * plus * minus) * np.sqrt(x_plus))
+        plus * drive * sqrt(x_minus) * sqrt(x_other) / ((x_other + 0.25 * eta * plus * minus) * sqrt(x_plus))
         + eta * drive * plus * plus * rd(x_minus, x_other, x_plus) / 6
         - drive * arc
     )
@@ -380,6 +380,22 @@ def curvature_squared(drop, level):
     Equation exsl8; proved as tip.field_only.curvature_squared.
     """
     return drop * level
+
+
+def arc_y_each(eta, plus, minus, drive, xi_tip, arc, x_plus, x_minus, x_other):
+    """∫cos θ dσ from the tip to the point.
+
+    Equation exsl36; proved as tip.field_only.arc_y.
+    """
+    return xi_tip * arc - plus * minus * drive * rj(x_plus, x_minus, x_other, x_other + 0.25 * eta * plus * minus) / 6
+
+
+def arc_z_each(eta, plus, minus, sin_tip, x_other):
+    """∫sin θ dσ from the tip to the point, before θ passes 0 or π.
+
+    Equation exsl41; proved as tip.field_only.arc_z.
+    """
+    return sin_tip * rc(x_other, x_other + 0.25 * eta * plus * minus)
 
 
 # Solver
@@ -906,8 +922,8 @@ def part_arc(eta, tip, sigma, r, ratios):
     plus, minus = 2 * tip.half_cosine**2, 2 * tip.half_sine**2
     scaled = [ratios[name] * ratios[name] + 0 * r for name in "+-o"]
     drive = tip.drive
-    y = r**3 * arc_y(eta * r * r, plus, minus, drive, 0, 0, *scaled)
-    z = r * arc_z(eta * r * r, plus, minus, 2 * tip.half_sine * tip.half_cosine, scaled[2])
+    y = r**3 * arc_y_each(eta * r * r, plus, minus, drive, 0, 0, *scaled)
+    z = r * arc_z_each(eta * r * r, plus, minus, 2 * tip.half_sine * tip.half_cosine, scaled[2])
     return y, z
 
 

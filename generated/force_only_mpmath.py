@@ -10,7 +10,7 @@ Formulas, each proved equal to its derivation:
     moment_from_side (exsl6), moment_from_top (exsl6), point_minus (exsl22), point_other (exsl22),
     point_plus (exsl22), rod_energy (slch5), side_moment (exsl6), straight_stiffness, tip_gamma (slch6),
     tip_gap (slch4)
-Digest of the inputs: sha256 428c61613eaaa46ff136ad217fd0569d4c60ec23ac2288e591d5a262a97a77de
+Digest of the inputs: sha256 c0f73128841b56ebb88db77f8075194e34b2ecaf584e0ef6a4d7bbc85d93c89b
 """
 
 from __future__ import annotations

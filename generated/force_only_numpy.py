@@ -5,12 +5,12 @@ Emitted by `derive emit` from the scene 'force_only': do not edit, change the sc
 Gives: equilibria, shape, sweep.
 Load case: force only, eta = 0. Valid for beta >= 0, length > 0, any clamp_angle.
 Formulas, each proved equal to its derivation:
-    arc_length (DLMF 19.25.35), arc_y (slch12), arc_z (slch14), curvature_squared (slch5), drive_between (slch4),
-    gap_below (slch4), gap_from_side (slch4), gap_minus_plus, gap_other_minus, level_above_gap (slch4),
-    moment_from_side (exsl6), moment_from_top (exsl6), point_minus (exsl22), point_other (exsl22),
-    point_plus (exsl22), rod_energy (slch5), side_moment (exsl6), straight_stiffness, tip_gamma (slch6),
-    tip_gap (slch4)
-Digest of the inputs: sha256 97562e9333ff5a2347a8a1953c95d3bb247570efdbf73beb6d968edf7a6b7376
+    arc_length (DLMF 19.25.35), arc_y (slch12), arc_y_each (slch12), arc_z (slch14), arc_z_each (slch14),
+    curvature_squared (slch5), drive_between (slch4), gap_below (slch4), gap_from_side (slch4), gap_minus_plus,
+    gap_other_minus, level_above_gap (slch4), moment_from_side (exsl6), moment_from_top (exsl6),
+    point_minus (exsl22), point_other (exsl22), point_plus (exsl22), rod_energy (slch5), side_moment (exsl6),
+    straight_stiffness, tip_gamma (slch6), tip_gap (slch4)
+Digest of the inputs: sha256 bc8637f86b8735e30c99add79d9663946c4f2aeaade7ec66fa720573025c13f8
 """
 
 from __future__ import annotations
@@ -289,7 +289,7 @@ def arc_z(plus, minus, sin_tip, x_other):
 
     Equation slch14; proved as tip.force_only.arc_z.
     """
-    return sin_tip / np.sqrt(x_other)
+    return sin_tip / sqrt(x_other)
 
 
 def curvature_squared(drop, level):
@@ -298,6 +298,22 @@ def curvature_squared(drop, level):
     Equation slch5; proved as tip.force_only.curvature_squared.
     """
     return drop * level
+
+
+def arc_y_each(plus, minus, drive, xi_tip, arc, x_plus, x_minus, x_other):
+    """∫cos θ dσ from the tip to the point.
+
+    Equation slch12; proved as tip.force_only.arc_y.
+    """
+    return xi_tip * arc - plus * minus * drive * rd(x_plus, x_minus, x_other) / 6
+
+
+def arc_z_each(plus, minus, sin_tip, x_other):
+    """∫sin θ dσ from the tip to the point, before θ passes 0 or π.
+
+    Equation slch14; proved as tip.force_only.arc_z.
+    """
+    return sin_tip / np.sqrt(x_other)
 
 
 # Solver
@@ -765,8 +781,8 @@ def part_arc(beta, tip, sigma, r, ratios):
     plus, minus = 2 * tip.half_cosine**2, 2 * tip.half_sine**2
     scaled = [ratios[name] * ratios[name] + 0 * r for name in "+-o"]
     drive = tip.drive
-    y = r**3 * arc_y(plus, minus, drive, 0, 0, *scaled)
-    z = r * arc_z(plus, minus, 2 * tip.half_sine * tip.half_cosine, scaled[2])
+    y = r**3 * arc_y_each(plus, minus, drive, 0, 0, *scaled)
+    z = r * arc_z_each(plus, minus, 2 * tip.half_sine * tip.half_cosine, scaled[2])
     return y, z
 
 

@@ -11,7 +11,7 @@ Formulas, each proved equal to its derivation:
     level_above_gap (exsl13), moment_from_side (exsl6), moment_from_top (exsl6), point_minus (exsl22),
     point_other (exsl22), point_plus (exsl22), rising_level (exsl13), rod_energy (exsl8), side_moment (exsl6),
     straight_stiffness, tip_gamma (exsl23), tip_gap (exsl13)
-Digest of the inputs: sha256 a2deb4342c6235dd57a8f4026ef30e351267cf16f9bd22509791f2154d29ce33
+Digest of the inputs: sha256 5b64723e433d24c6d9894f11bfb40ca7eb021b25065c242704704b16315d1385
 """
 
 from __future__ import annotations

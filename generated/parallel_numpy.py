@@ -5,13 +5,13 @@ Emitted by `derive emit` from the scene 'parallel': do not edit, change the scen
 Gives: equilibria, shape, sweep.
 Load case: parallel. Valid for beta >= 0, eta >= 0, length > 0, any clamp_angle.
 Formulas, each proved equal to its derivation:
-    arc_length (DLMF 19.25.35), arc_square (DLMF 19.29(ii)), arc_y (exsl36), arc_z (exsl41),
-    curvature_squared (exsl8), drive_between (exsl13), drop_at_level (exsl13), drop_from_gaps (exsl13),
-    gap_below (exsl13), gap_from_side (exsl13), gap_minus_plus, gap_other_minus, gap_other_plus,
-    level_above_gap (exsl13), moment_from_side (exsl6), moment_from_top (exsl6), point_minus (exsl22),
-    point_other (exsl22), point_plus (exsl22), rising_level (exsl13), rod_energy (exsl8), side_moment (exsl6),
-    straight_stiffness, tip_gamma (exsl23), tip_gap (exsl13)
-Digest of the inputs: sha256 b7a110e44a6c7c0a417dd52d5526aa34d7ac41e7d218659fc03977fd71237ef0
+    arc_length (DLMF 19.25.35), arc_square (DLMF 19.29(ii)), arc_y (exsl36), arc_y_each (exsl36), arc_z (exsl41),
+    arc_z_each (exsl41), curvature_squared (exsl8), drive_between (exsl13), drop_at_level (exsl13),
+    drop_from_gaps (exsl13), gap_below (exsl13), gap_from_side (exsl13), gap_minus_plus, gap_other_minus,
+    gap_other_plus, level_above_gap (exsl13), moment_from_side (exsl6), moment_from_top (exsl6),
+    point_minus (exsl22), point_other (exsl22), point_plus (exsl22), rising_level (exsl13), rod_energy (exsl8),
+    side_moment (exsl6), straight_stiffness, tip_gamma (exsl23), tip_gap (exsl13)
+Digest of the inputs: sha256 12de33b3bcdfe07876e6ae1e74e4411ca4fde047bc251b776bbc86572183c290
 """
 
 from __future__ import annotations
@@ -371,7 +371,7 @@ def arc_square(beta, eta, plus, minus, drive, gap, xi_tip, arc, x_plus, x_minus,
         beta * plus * minus * drive * rj(x_plus, x_minus, x_other, x_other + 0.25 * eta * plus * minus) / 6
         + plus * drive * (2 * beta + eta * plus) * rd(x_minus, x_other, x_plus) / 6
         + arc * (eta - beta * plus - eta * plus)
-        + plus * drive * np.sqrt(x_minus) * np.sqrt(x_other) / ((x_other + 0.25 * eta * plus * minus) * np.sqrt(x_plus))
+        + plus * drive * sqrt(x_minus) * sqrt(x_other) / ((x_other + 0.25 * eta * plus * minus) * sqrt(x_plus))
     )
 
 
@@ -381,6 +381,22 @@ def curvature_squared(drop, level):
     Equation exsl8; proved as tip.parallel.curvature_squared.
     """
     return drop * level
+
+
+def arc_y_each(eta, plus, minus, drive, xi_tip, arc, x_plus, x_minus, x_other):
+    """∫cos θ dσ from the tip to the point.
+
+    Equation exsl36; proved as tip.parallel.arc_y.
+    """
+    return xi_tip * arc - plus * minus * drive * rj(x_plus, x_minus, x_other, x_other + 0.25 * eta * plus * minus) / 6
+
+
+def arc_z_each(eta, plus, minus, sin_tip, x_other):
+    """∫sin θ dσ from the tip to the point, before θ passes 0 or π.
+
+    Equation exsl41; proved as tip.parallel.arc_z.
+    """
+    return sin_tip * rc(x_other, x_other + 0.25 * eta * plus * minus)
 
 
 # Solver
@@ -911,8 +927,8 @@ def part_arc(beta, eta, tip, sigma, r, ratios):
     plus, minus = 2 * tip.half_cosine**2, 2 * tip.half_sine**2
     scaled = [ratios[name] * ratios[name] + 0 * r for name in "+-o"]
     drive = tip.drive
-    y = r**3 * arc_y(eta * r * r, plus, minus, drive, 0, 0, *scaled)
-    z = r * arc_z(eta * r * r, plus, minus, 2 * tip.half_sine * tip.half_cosine, scaled[2])
+    y = r**3 * arc_y_each(eta * r * r, plus, minus, drive, 0, 0, *scaled)
+    z = r * arc_z_each(eta * r * r, plus, minus, 2 * tip.half_sine * tip.half_cosine, scaled[2])
     return y, z
 
 

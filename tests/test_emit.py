@@ -16,9 +16,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from sympy import Integer, Rational, pi, sqrt, symbols
 
+from derive.emit.committed import formulas_text
 from derive.emit.constants import parse_constant
 from derive.emit.errors import EmitError, SceneError
-from derive.emit.module import emit_kernel_formulas, emit_module
+from derive.emit.module import emit_module
 from derive.emit.printer import formula_function
 from derive.emit.proof import check_names, prove_formulas
 from derive.emit.scene import load_scene, parse_scene
@@ -58,7 +59,7 @@ def test_shipped_scenes_are_read():
     [
         (HEAD.replace("case", "caze"), 3, "possible: backends, case, name, outputs, title"),
         (HEAD.replace('"parallel"', '"paralel"'), 3, "did you mean 'parallel'"),
-        (HEAD.replace('"shape"', '"shapes"'), 4, "possible: equilibria, shape, sweep"),
+        (HEAD.replace('"shape"', '"shapes"'), 4, "possible: equilibria, folds, literal, shape, sweep"),
         (HEAD + 'backends = ["fortran"]\n', 5, "possible: mpmath, numpy"),
         (HEAD + "title = 3\n", 5, "must be a string"),
         (HEAD + "[constants]\nlenght = 80\n", 6, "did you mean 'length'"),
@@ -271,9 +272,7 @@ def random_expressions():
 def test_printed_formulas_read_back(expression, common):
     formula = Formula("f", RANDOM, expression, "test.f", "Random")
     text = ast.unparse(ast.fix_missing_locations(formula_function(formula, common=common)))
-    head = (
-        "from derive.emit.kernels.array_arithmetic import each_sqrt\nfrom derive.emit.kernels.carlson import rf, rc\n"
-    )
+    head = "from derive.emit.kernels.arithmetic import sqrt\nfrom derive.emit.kernels.carlson import rf, rc\n"
     (proof,) = prove_formulas(f"{head}\n{text}", [formula], "text.py")
     assert proof.method
 
@@ -329,7 +328,7 @@ def test_equal_but_rewritten_text_is_proved():
 
 
 def test_kernel_formulas_are_emitted():
-    text = emit_kernel_formulas(THEORY)
+    text = formulas_text(THEORY)
     general = [formula for formula in FORMULAS if formula.case == "parallel"]
     assert len(prove_formulas(text, general, "formulas.py")) == len(general)
     assert "rj(x_plus, x_minus, x_other, x_other + 0.25 * eta * plus * minus)" in text
@@ -347,10 +346,11 @@ def test_common_subexpressions_on_request():
 def test_same_bytes_for_every_hash_seed():
     script = (
         "from emit_standin import THEORY, SAMPLE\n"
-        "from derive.emit.module import emit_module, emit_kernel_formulas\n"
+        "from derive.emit.committed import formulas_text\n"
+        "from derive.emit.module import emit_module\n"
         "from derive.emit.scene import parse_scene\n"
         "import hashlib\n"
-        "text = emit_kernel_formulas(THEORY)\n"
+        "text = formulas_text(THEORY)\n"
         "for case in ('parallel', 'force_only'):\n"
         "    for backend in ('numpy', 'mpmath'):\n"
         '        scene = parse_scene(f\'[scene]\\nname="x"\\ncase="{case}"\\noutputs=["equilibria", "shape"]\')\n'

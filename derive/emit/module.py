@@ -2,29 +2,25 @@
 
 from __future__ import annotations
 
-import ast
 import hashlib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from sympy import srepr
-
-from derive.emit.backends import BACKENDS, FUNCTIONS
+from derive.emit.backends import ARRAY_INSTANCES, BACKENDS
+from derive.emit.committed import instance_text
 from derive.emit.errors import EmitError
-from derive.emit.head import case_text, domain_text, export_lines, fill, from_import, import_lines, public_names
+from derive.emit.head import case_text, domain_text, export_lines, fill, import_lines, public_names
+from derive.emit.instances import instances as make_instances
 from derive.emit.kernel_files import KernelFiles, read_kernels
 from derive.emit.layout import lines_of
 from derive.emit.lower import lower
 from derive.emit.pieces import Piece, imports, sections
-from derive.emit.printer import formula_function
 from derive.emit.render import render
-from derive.emit.scene import Scene
-from derive.emit.slice import Slicer
+from derive.emit.scene import GENERAL_CASE, Scene
+from derive.emit.slice import Slicer, formulas_of, kernel_formulas, spelled
 from derive.emit.specialise import specialise
 from derive.theory.claims import Formula
-
-GENERAL_CASE = "parallel"  # the load case whose formulas have every argument; kernels call them in that form
 
 
 @dataclass(frozen=True)
@@ -45,29 +41,29 @@ class EmittedModule:
         return f"{self.name}.py"
 
 
-def formulas_of(theory: Any, case: str) -> dict[str, Formula]:
-    """The formulas of a load case by name; they must be unique."""
-    found: dict[str, Formula] = {}
-    for formula in theory.formulas:
-        if formula.case == case:
-            if formula.name in found:
-                raise EmitError(f"the theory has two formulas '{formula.name}' for case '{case}'")
-            found[formula.name] = formula
-    return found
-
-
 def emit_module(
-    theory: Any, scene: Scene, backend: str, *, kernels: Mapping[str, str] | None = None, common: bool = False
+    theory: Any,
+    scene: Scene,
+    backend: str,
+    *,
+    kernels: Mapping[str, str] | None = None,
+    instances: Mapping[str, str] = ARRAY_INSTANCES,
+    common: bool = False,
 ) -> EmittedModule:
-    """The module for ``scene`` on ``backend``; unproved (see ``proof``). ``common`` names repeated subexpressions."""
+    """The module for ``scene`` on ``backend``; unproved (see ``proof``).
+
+    kernels: the kernel files by stem. instances: those that have an array instance, and its stem. common: name
+    repeated subexpressions.
+    """
     sources = read_kernels() if kernels is None else dict(kernels)
-    known = KernelFiles(sources, backend)
-    formulas = formulas_of(theory, scene.case)
+    sources |= {stem: instance_text(made) for stem, made in make_instances(sources, instances).items()}
+    known = KernelFiles(sources, backend, instances)
+    formulas = formulas_of(theory, GENERAL_CASE, scene.case)
     if not formulas:
         raise EmitError(
             f"the theory has no formulas for case '{scene.case}' of scene '{scene.name}'; derive them first"
         )
-    general = {name: tuple(s.name for s in f.arguments) for name, f in formulas_of(theory, GENERAL_CASE).items()}
+    general = {name: tuple(s.name for s in f.arguments) for name, f in kernel_formulas(theory).items()}
     slicer = Slicer(known, formulas, general, scene.folded, common=common)
     for output in scene.outputs:
         if not isinstance(slicer.piece("api", output, f"scene '{scene.name}'"), str):
@@ -117,31 +113,7 @@ def _digest(
     """sha256 of the scene, the formulas used and the kernel files used."""
     files = sorted({piece.file for piece in pieces})
     parts = [scene.canonical(), backend]
-    parts += [f"{f.name}({', '.join(map(str, f.arguments))}) = {srepr(f.expression)}" for f in formulas]
+    parts += map(spelled, formulas)
     for file in files:
         parts += [sources[stem] for stem in (file, f"{file}_{backend}") if stem in sources]
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()
-
-
-def emit_kernel_formulas(theory: Any) -> str:
-    """The text of ``kernels/formulas.py``: the formulas of the general case, for kernels to import as they stand."""
-    formulas = list(formulas_of(theory, GENERAL_CASE).values())
-    if not formulas:
-        raise EmitError(f"the theory has no formulas for case '{GENERAL_CASE}'; derive them first")
-    nodes = [formula_function(formula) for formula in formulas]
-    called = {n.id for node in nodes for n in ast.walk(node) if isinstance(n, ast.Name)}
-    modules: dict[str, set[str]] = {}
-    for file, name in FUNCTIONS.values():
-        if name in called:
-            modules.setdefault(file, set()).add(name)
-    lines = [
-        line for file in sorted(modules) for line in from_import(f"derive.emit.kernels.{file}", sorted(modules[file]))
-    ]
-    parts = [GENERAL_CASE, *(f"{f.name}({', '.join(map(str, f.arguments))}) = {srepr(f.expression)}" for f in formulas)]
-    context = {
-        "case": GENERAL_CASE,
-        "digest": hashlib.sha256("\n".join(parts).encode()).hexdigest(),
-        "imports": lines,
-        "functions": ["\n".join(lines_of(node, ())) for node in nodes],
-    }
-    return render("formulas.py.jinja", context)

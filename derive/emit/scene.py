@@ -31,8 +31,12 @@ CASES: dict[str, dict[str, Expr]] = {
     "orthogonal": {"field_angle": pi / 2},
     "field_only": {"beta": Integer(0), "field_angle": Integer(0)},
     "force_only": {"eta": Integer(0), "field_angle": Integer(0)},
+    "oblique": {},
 }
-OUTPUTS = ("equilibria", "shape", "sweep")
+# The load case that fixes nothing: every other is a special case of it.
+GENERAL_CASE = "oblique"
+# What a scene can ask for; each is a function of the interface.
+OUTPUTS = ("equilibria", "shape", "sweep", "folds", "literal")
 BACKENDS = ("numpy", "mpmath")
 _KEYS: dict[str, Any] = {"name": str, "title": str, "case": str, "outputs": list, "backends": list}
 _REQUIRED = ("name", "case", "outputs")

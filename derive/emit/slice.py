@@ -5,15 +5,19 @@ from __future__ import annotations
 import ast
 import copy
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from typing import Any
 
-from sympy import Expr, nan, oo, zoo
+from sympy import Expr, nan, oo, srepr, zoo
 
-from derive.emit.backends import FUNCTIONS, MODULE_ALIASES, External
+from derive.emit.backends import EACH, EACH_FUNCTIONS, FORMULAS, FUNCTIONS, MODULE_ALIASES, External
 from derive.emit.errors import EmitError, choices
 from derive.emit.kernel_files import Definition, KernelFiles
 from derive.emit.layout import stamp
 from derive.emit.pieces import Piece, bound_names, parameters_of
 from derive.emit.printer import formula_function
+from derive.emit.scene import GENERAL_CASE
+from derive.emit.substitute import substitute
 from derive.theory.claims import Formula
 
 
@@ -35,8 +39,9 @@ class Slicer:
 
     def piece(self, file: str, name: str, wanted_by: str) -> str | External:
         """The piece for ``name`` of a kernel file, made if need be: its final name, or where outside it comes from."""
-        if file == "formulas":
-            return self._formula(name)
+        file, name = self.kernels.instance(file, name)
+        if file in FORMULAS:
+            return self._formula(file, name)
         found = self.kernels.lookup(file, name)
         if found is None:
             raise EmitError(
@@ -53,29 +58,36 @@ class Slicer:
         stems = [stem for stem in (file, f"{file}_{self.kernels.backend.name}") if stem in self.kernels.files]
         return [name for stem in stems for name in self.kernels.files[stem].definitions]
 
-    def _formula(self, name: str) -> str:
-        if name not in self.formulas:
+    def _formula(self, file: str, name: str) -> str:
+        if base_name(file, name) not in self.formulas:
             self.missing.add(name)
             return name
         if name in self.pieces:
             return name
-        piece = Piece(name, "formulas", "formula", None)
-        piece.parameters = self.general.get(name, tuple(symbol.name for symbol in self.formulas[name].arguments))
+        piece = Piece(name, file, "formula", None)
         self.pieces[name] = piece
+        formula = self.formula(name)
+        piece.parameters = self.general.get(base_name(file, name), tuple(symbol.name for symbol in formula.arguments))
         self.fix_formula(name, {})
         return name
 
+    def formula(self, name: str) -> Formula:
+        """The formula of a piece as the theory gives it, under the piece's name."""
+        return replace(self.formulas[base_name(self.pieces[name].file, name)], name=name)
+
     def is_finite(self, name: str, values: Mapping[str, Expr]) -> bool:
         """Whether the formula has a value there: −β/η has none for η = 0."""
-        return not specialise_formula(self.formulas[name], values).expression.has(zoo, nan, oo, -oo)
+        return not specialise_formula(self.formula(name), values).expression.has(zoo, nan, oo, -oo)
 
     def fix_formula(self, name: str, values: Mapping[str, Expr]) -> None:
         """Print a piece's formula anew, with ``values`` for the arguments that every call gives in the same way."""
         piece = self.pieces[name]
-        piece.formula = specialise_formula(self.formulas[name], values)
-        piece.node, piece.names = formula_function(piece.formula, common=self.common), {}
-        origins: dict[str, tuple[str, str] | External] = {row[1]: row for row in FUNCTIONS.values()}
-        self._resolve(piece, origins)
+        piece.formula = specialise_formula(self.formula(name), values)
+        elementwise = piece.file != FORMULAS[0]
+        piece.node = formula_function(piece.formula, common=self.common, elementwise=elementwise)
+        piece.names = {}
+        table = EACH_FUNCTIONS if elementwise else FUNCTIONS
+        self._resolve(piece, {row[1]: row for row in table.values() if row[0]})
 
     def _make(self, found: Definition) -> str:
         kernel = self.kernels.files[found.file]
@@ -137,15 +149,42 @@ def specialise_formula(formula: Formula, folded: Mapping[str, Expr]) -> Formula:
     if not fixed:
         return formula
     arguments = tuple(symbol for symbol in formula.arguments if symbol not in fixed)
-    return Formula(
-        formula.name,
-        arguments,
-        formula.expression.subs(fixed),
-        formula.claim,
-        formula.doc,
-        formula.case,
-        formula.source,
-    )
+    return replace(formula, arguments=arguments, expression=substitute(formula.expression, fixed))
+
+
+# Load cases whose formulas have every argument, in which form kernels call them; the later stands before the earlier.
+_KERNEL_CASES = ("parallel", GENERAL_CASE)
+
+
+def formulas_of(theory: Any, *cases: str) -> dict[str, Formula]:
+    """The formulas of load cases by name, unique in each; a later case stands before an earlier one."""
+    found: dict[str, Formula] = {}
+    for case in cases:
+        own: dict[str, Formula] = {}
+        for formula in (f for f in theory.formulas if f.case == case):
+            if formula.name in own:
+                raise EmitError(f"the theory has two formulas '{formula.name}' for case '{case}'")
+            own[formula.name] = formula
+        found |= own
+    return found
+
+
+def kernel_formulas(theory: Any) -> dict[str, Formula]:
+    """The formulas in the form in which kernels call them."""
+    found = formulas_of(theory, *_KERNEL_CASES)
+    if not found:
+        raise EmitError(f"the theory has no formulas for the cases {', '.join(_KERNEL_CASES)}; derive them first")
+    return found
+
+
+def spelled(formula: Formula) -> str:
+    """All that a formula says, for the digest of a module."""
+    return f"{formula.name}({', '.join(map(str, formula.arguments))}) = {srepr(formula.expression)}"
+
+
+def base_name(file: str, name: str) -> str:
+    """The theory's name of a formula that a kernel takes from ``file``."""
+    return name if file == FORMULAS[0] else name.removesuffix(EACH)
 
 
 def _written(external: External) -> str:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from math import acos, asin, atan2, ceil, cos, exp, floor, inf, isfinite, log, pi, sin, sqrt
+from math import acos, asin, asinh, atan, atan2, ceil, cos, exp, floor, inf, isfinite, log, pi, sin, sqrt
 
 __all__ = [
     "acos",
     "asin",
+    "asinh",
+    "atan",
     "atan2",
     "ceil",
     "cos",

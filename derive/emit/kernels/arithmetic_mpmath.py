@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from mpmath import acos, asin, atan2, cos, eps, exp, inf, isfinite, log, mpf, pi, sin, sqrt
+from mpmath import acos, asin, asinh, atan, atan2, cos, eps, exp, inf, isfinite, log, mpf, pi, sin, sqrt
 from mpmath import ceil as mpf_ceil
 from mpmath import floor as mpf_floor
 
 __all__ = [
     "acos",
     "asin",
+    "asinh",
+    "atan",
     "atan2",
     "ceil",
     "cos",

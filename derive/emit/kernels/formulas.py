@@ -1,14 +1,14 @@
-"""The formulas of the load case 'parallel' as the theory derives them, nothing folded.
+"""The formulas as the theory derives them, nothing folded.
 
-Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, the
-formulas of its own load case take their place.
+Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
+are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 488b716520b335936df124659a718aeb126175d8ce04f11b7f84e1f0efbfed35
+Digest of the inputs: sha256 bd5a6c19b639f4b16df50017edb08a20613a03136fc7182e51f8dcea1c5fdd4a
 """
 
 from __future__ import annotations
 
-from derive.emit.kernels.array_arithmetic import each_atan, each_sqrt
+from derive.emit.kernels.arithmetic import atan, sqrt
 from derive.emit.kernels.carlson import rf
 from derive.emit.kernels.carlson_each import rc, rd, rj
 
@@ -266,7 +266,7 @@ def angle(plus, minus, x_plus, x_minus):
 
     Equation exsl12a; proved as tip.parallel.angle.
     """
-    return 2 * each_atan(each_sqrt(minus) * each_sqrt(x_plus) / (each_sqrt(plus) * each_sqrt(x_minus)))
+    return 2 * atan(sqrt(minus) * sqrt(x_plus) / (sqrt(plus) * sqrt(x_minus)))
 
 
 def arc_length(x_plus, x_minus, x_other):
@@ -302,11 +302,7 @@ def arc_square(beta, eta, plus, minus, drive, gap, xi_tip, arc, x_plus, x_minus,
         beta * plus * minus * drive * rj(x_plus, x_minus, x_other, x_other + 0.25 * eta * plus * minus) / 6
         + plus * drive * (2 * beta + eta * plus) * rd(x_minus, x_other, x_plus) / 6
         + arc * (eta - beta * plus - eta * plus)
-        + plus
-        * drive
-        * each_sqrt(x_minus)
-        * each_sqrt(x_other)
-        / ((x_other + 0.25 * eta * plus * minus) * each_sqrt(x_plus))
+        + plus * drive * sqrt(x_minus) * sqrt(x_other) / ((x_other + 0.25 * eta * plus * minus) * sqrt(x_plus))
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from derive.emit.kernels.agm import agm, half_period, root_ratios
 from derive.emit.kernels.arithmetic import pi, sqrt
 from derive.emit.kernels.array_arithmetic import each_abs, each_atan2, each_floor, each_where
-from derive.emit.kernels.formulas import arc_y, arc_z
+from derive.emit.kernels.formulas_each import arc_y_each, arc_z_each
 from derive.emit.kernels.rods import arc_to, half_period_point
 from derive.emit.kernels.timing import roots_of
 
@@ -61,6 +61,6 @@ def part_arc(beta, eta, tip, sigma, r, ratios):
     plus, minus = 2 * tip.half_cosine**2, 2 * tip.half_sine**2
     scaled = [ratios[name] * ratios[name] + 0 * r for name in "+-o"]
     drive = tip.drive
-    y = r**3 * arc_y(eta * r * r, plus, minus, drive, 0, 0, *scaled)
-    z = r * arc_z(eta * r * r, plus, minus, 2 * tip.half_sine * tip.half_cosine, scaled[2])
+    y = r**3 * arc_y_each(eta * r * r, plus, minus, drive, 0, 0, *scaled)
+    z = r * arc_z_each(eta * r * r, plus, minus, 2 * tip.half_sine * tip.half_cosine, scaled[2])
     return y, z

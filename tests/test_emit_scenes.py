@@ -1,0 +1,221 @@
+"""Scenes of any load case: formulas for any field angle specialised to it, array instances, what is not asked for."""
+
+from __future__ import annotations
+
+import ast
+from math import pi
+
+import mpmath
+import numpy as np
+import pytest
+from scenes_standin import INSTANCES, KERNELS, THEORY, angle, field_angle, half, middle
+from sympy import Add, Rational, Symbol, cos, nan, sin, sqrt
+from sympy import pi as exact_pi
+
+from derive.emit.backends import EACH, EACH_FUNCTIONS, FUNCTIONS
+from derive.emit.committed import emit_kernels
+from derive.emit.errors import EmitError
+from derive.emit.module import emit_module
+from derive.emit.proof import prove_module
+from derive.emit.scene import CASES, OUTPUTS, load_scene, parse_scene
+from derive.emit.substitute import substitute
+from derive.measure.loading import load
+from derive.resources import scenes_folder, shipped_scenes
+from derive.theory.symbols import beta, eta
+
+ROD = {"beta": 0.7, "eta": 1.3, "length": 2.5, "clamp_angle": 2.1, "field_angle": 0.4}
+WAITING = scenes_folder().parent / "scenes_waiting"
+
+
+def scene_of(case, constants="", outputs='["equilibria", "shape"]'):
+    return parse_scene(f'[scene]\nname = "sample"\ncase = "{case}"\noutputs = {outputs}\n[constants]\n{constants}')
+
+
+def emitted(case="oblique", backend="numpy", constants="", kernels=None, outputs='["equilibria", "shape"]'):
+    scene, sources = scene_of(case, constants, outputs), {**KERNELS, **(kernels or {})}
+    return emit_module(THEORY, scene, backend, kernels=sources, instances=INSTANCES)
+
+
+# Scenes
+
+
+def test_every_scene_of_the_design_is_there():
+    scenes = {path.stem: load_scene(path) for path in (*shipped_scenes().values(), *WAITING.glob("*.toml"))}
+    assert set(scenes) == {*CASES, "remote_control", "bifurcation"}
+    assert all(scene.name == name for name, scene in scenes.items())
+    assert scenes["oblique"].folded == {}
+    remote, second = scenes["remote_control"], scenes["bifurcation"]
+    assert remote.folded == {"length": 80, "clamp_angle": exact_pi / 2, "field_angle": exact_pi / 2}
+    assert remote.outputs == ("equilibria", "sweep")
+    assert second.folded == {"length": 80, "clamp_angle": 3 * exact_pi / 4, "field_angle": 0}
+    assert second.outputs == ("equilibria", "sweep", "folds")
+
+
+@pytest.mark.parametrize("output", OUTPUTS[:2] + OUTPUTS[3:])
+def test_an_output_is_there_only_if_it_is_asked_for(output):
+    text = emitted(outputs=f'["{output}"]').text
+    defined = {node.name for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)}
+    assert defined & set(OUTPUTS) == {output}
+
+
+# Formulas for any field angle
+
+
+@pytest.mark.parametrize("backend", ["numpy", "mpmath"])
+@pytest.mark.parametrize("case", list(CASES))
+def test_every_load_case_is_a_special_case(case, backend):
+    """The specialised module gives what the full one gives at the folded values, and its formulas are proved."""
+    special, full = emitted(case, backend), emitted("oblique", backend)
+    assert {proof.formula.removesuffix(EACH) for proof in prove_module(special)} >= {"moment", "strength", "slope"}
+    values = {name: float(value) for name, value in special.scene.folded.items()}
+    (expected,) = load(full.text).equilibria(**ROD | values)
+    (got,) = load(special.text).equilibria(**{name: value for name, value in ROD.items() if name not in values})
+    assert float(got.tip_angle) == pytest.approx(float(expected.tip_angle), rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("case", "says"),
+    [
+        ("parallel", "return beta * sin(angle) + 0.5 * eta * sin(2 * angle)"),
+        ("orthogonal", "return beta * sin(angle) - 0.5 * eta * sin(2 * angle)"),
+        ("field_only", "return 0.5 * eta * sin(2 * angle)"),
+        ("force_only", "return beta * sin(angle)"),
+        ("oblique", "return beta * sin(angle) + 0.5 * eta * sin(2 * angle - 2 * field_angle)"),
+    ],
+)
+def test_the_field_angle_is_folded_into_formulas(case, says):
+    lines = function("moment", emitted(case).text)
+    assert says in lines
+
+
+def function(name, text):
+    (node,) = [n for n in ast.parse(text).body if isinstance(n, ast.FunctionDef) and n.name == name]
+    return ast.unparse(node)
+
+
+def test_a_formula_of_its_own_load_case_stands_before_the_general_one():
+    assert "cos(angle)" in function("slope", emitted("orthogonal").text)
+    assert "cos(angle)" not in function("slope", emitted("parallel").text)
+
+
+def test_a_formula_without_a_value_is_not_reached():
+    assert "def opposite" in emitted("parallel").text
+    assert "def opposite" not in emitted("force_only").text
+    bare = KERNELS["api"].replace(" if eta > 0 else 0", "")
+    with pytest.raises(EmitError, match="opposite, which the load case does not have"):
+        emitted("force_only", kernels={"api": bare})
+
+
+@pytest.mark.parametrize(
+    ("expression", "values", "result"),
+    [
+        (sin(2 * (angle - field_angle)), {field_angle: exact_pi / 2}, -sin(2 * angle)),
+        (cos(angle - field_angle), {field_angle: exact_pi / 2}, sin(angle)),
+        (cos(2 * (middle - field_angle)), {field_angle: Rational(0)}, cos(2 * middle)),
+        (beta * cos(field_angle) + eta * sin(field_angle), {field_angle: Rational(0)}, beta),
+        (sqrt(beta**2 + eta**2), {beta: Rational(0)}, eta),
+        (-beta / eta, {eta: Rational(0)}, nan),
+        (-beta / eta, {beta: Rational(0)}, Rational(0)),
+        (eta * beta + angle * eta, {eta: Rational(1, 3)}, beta / 3 + angle / 3),
+    ],
+)
+def test_values_are_substituted_exactly(expression, values, result):
+    assert substitute(expression, values) in (result, result.doit())
+
+
+def test_no_product_is_multiplied_out_and_no_root_is_split():
+    """3·(a − b) stays one product of a difference, √(x/2) one root: SymPy's own substitution changes both."""
+    product = eta * (angle - middle) * (1 + beta * half)
+    assert substitute(product, {eta: Rational(3), beta: Rational(0)}).args == (3, angle - middle)
+    assert isinstance(product.subs({eta: 3, beta: 0}), Add)
+    other = Symbol("other", real=True)
+    root = substitute(sqrt(other * eta + beta), {eta: Rational(1, 2), beta: Rational(0)})
+    assert root.is_Pow
+    assert root.base == other / 2
+
+
+# Array instances
+
+
+def test_tables_of_functions_agree():
+    assert set(EACH_FUNCTIONS) <= set(FUNCTIONS)
+    assert all(row[0] != "array_arithmetic" for row in FUNCTIONS.values())
+
+
+def test_an_instance_is_the_same_code_on_arrays():
+    module = load(emitted().text)
+    found = module.equilibria(**ROD)[0]
+    places = np.linspace(-3.0, 3.0, 7)
+    together = module.shape(found, places)
+    apart = [module.motion(ROD["beta"], ROD["eta"], ROD["field_angle"], place) for place in places.tolist()]
+    assert together == pytest.approx(apart, rel=1e-15)
+    assert all(type(value) is float for value in apart)
+
+
+def test_scalars_are_computed_by_math_and_arrays_by_numpy():
+    text = emitted().text
+    assert "np." not in function("motion", text) + function("moment", text) + function("wave", text)
+    assert "np.maximum(" in function("motion_each", text)
+    assert "np.sin(" in function("moment_each", text)
+    assert "np.where(np.abs(place) < epsilon()" in function("wave_each", text)
+    assert "WaveEach(" in function("motion_each", text)
+    assert "def motion" not in emitted(outputs='["literal"]').text
+    assert "def motion(" not in emitted(outputs='["shape"]').text
+
+
+def test_both_instances_of_a_formula_are_proved():
+    assert {"moment", "moment_each"} <= {proof.formula for proof in prove_module(emitted())}
+
+
+def test_the_mpmath_twin_has_no_array_instances():
+    module = emitted(backend="mpmath")
+    assert EACH not in module.text
+    assert "Each" not in module.text
+    with mpmath.workdps(30):
+        found = load(module.text).equilibria(**ROD)[0]
+        assert load(module.text).shape(found, mpmath.mpf(2)) != 0
+
+
+def test_instances_are_kernel_files_to_import():
+    texts = emit_kernels(THEORY, KERNELS, INSTANCES)
+    assert set(texts) == {"formulas", "formulas_each", "motion_each", "waves_each"}
+    assert "from derive.emit.kernels.waves import STEPS" in texts["waves_each"]
+    assert "# A comment that stays." in texts["waves_each"]
+    assert (
+        "from derive.emit.kernels.formulas_each import moment_each, slope_each, strength_each" in texts["motion_each"]
+    )
+    assert "import WaveEach, wave_each" in texts["motion_each"]
+    assert "each_sin" in texts["formulas_each"]
+    assert "each_" not in texts["formulas"]
+    assert emit_kernels(THEORY, KERNELS, INSTANCES) == texts
+    changed = {**KERNELS, "motion": KERNELS["motion"].replace("max(swell, 0)", "swell")}
+    assert emit_kernels(THEORY, changed, INSTANCES)["motion_each"] != texts["motion_each"]
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "new", "says"),
+    [
+        (
+            "waves",
+            "import epsilon, pi, sin, where",
+            "import epsilon, floor as where, pi, sin",
+            "floor, which has no array",
+        ),
+        ("waves", "return where(abs(place)", "return where(min(place)", "add each_min to kernels/array_arithmetic.py"),
+    ],
+)
+def test_what_has_no_array_form_is_named(file, old, new, says):
+    assert old in KERNELS[file]
+    with pytest.raises(EmitError, match=r".") as caught:
+        emitted(kernels={file: KERNELS[file].replace(old, new)})
+    assert says in str(caught.value)
+    assert f"kernels/{file}.py" in str(caught.value)
+
+
+def test_a_marked_file_that_is_missing_is_named():
+    with pytest.raises(EmitError, match=r"kernels/absent\.py is to have an array instance"):
+        emit_kernels(THEORY, KERNELS, {"absent": "absent_each"})
+
+
+def test_angles_are_those_of_the_load_case():
+    assert load(emitted("orthogonal").text).equilibria(0.7, 1.3, 2.5, pi / 2)
