@@ -58,6 +58,17 @@ def test_an_output_is_there_only_if_it_is_asked_for(output):
     assert defined & set(OUTPUTS) == {output}
 
 
+def test_an_equilibrium_carries_only_what_the_outputs_read():
+    both, alone = emitted().text, emitted(outputs='["equilibria"]').text
+    assert "kept: Any" in both
+    assert "kept" not in alone
+    assert "bottom" not in alone
+    assert "Any" not in alone
+    assert "opposite" not in alone
+    expected, got = (load(text).equilibria(**ROD)[0].tip_angle for text in (both, alone))
+    assert got == expected
+
+
 # Formulas for any field angle
 
 

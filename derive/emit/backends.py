@@ -104,6 +104,8 @@ SECTIONS = {
     "interface": "Interface",
 }
 RESULTS = ("Equilibrium", "Shape", "Sweep")  # classes of what the outputs return, wherever a kernel defines them
+# By what a result is known to the caller. Its other fields are carried for further outputs.
+KNOWN_BY = {"Equilibrium": ("tip_angle", "clamp_curvature", "gamma", "y", "z", "energy", "index")}
 FILE_SECTIONS = {
     **dict.fromkeys(("arithmetic", "array_arithmetic", "carlson", "carlson_each", "agm"), "special"),
     **dict.fromkeys(FORMULAS, "formulas"),

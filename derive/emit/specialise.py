@@ -13,6 +13,7 @@ from typing import Any
 from sympy import Expr
 
 from derive.emit.backends import MODULE_ALIASES, External
+from derive.emit.carried import drop_carried
 from derive.emit.drop import drop_parameters
 from derive.emit.errors import EmitError
 from derive.emit.fold import fold, fold_inside
@@ -43,6 +44,7 @@ def specialise(slicer: Slicer, roots: Sequence[str]) -> list[str]:
         before = _forms(kernels)
         for piece in kernels.values():
             _round(piece, constant, pieces)
+        drop_carried(pieces, slicer.reach(roots))
         _drop_unused(pieces, roots)
         if _forms(kernels) == before:
             break
