@@ -47,6 +47,14 @@ def where(condition, yes, no):
     """A choice."""
     return yes if condition else no
 ''',
+    "arguments_mpmath": '''
+"""Arguments."""
+from mpmath import mp
+
+def digits(dps):
+    """Digits to work with."""
+    return mp.dps if dps is None else dps
+''',
     "arithmetic_mpmath": '''
 """Scalars."""
 from mpmath import cos, eps, mpf, pi, sin, sqrt

@@ -143,7 +143,7 @@ def test_rods_follow_the_case_and_the_scene() -> None:
 KERNEL_MUTANTS = [
     pytest.param("agm", "+ b * r\n", "- b * r\n", id="a sign in root_ratios"),
     pytest.param("agm", "pi / (2 * steps", "pi / (4 * steps", id="a factor of the half-period"),
-    pytest.param("shapes", "z = r * arc_z(", "z = arc_z(", id="a dropped factor before arc_z"),
+    pytest.param("shapes", "z = r * arc_z_each(", "z = arc_z_each(", id="a dropped factor before arc_z"),
     pytest.param("shapes", "waves % 2 == 0", "waves % 2 == 1", id="the parity of the half-waves"),
     pytest.param("shapes", "rod.length - s)", "s)", id="arc length from the wrong end"),
     pytest.param("rods", "else swings + 1", "else swings", id="an index one too low"),

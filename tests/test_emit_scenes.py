@@ -14,7 +14,7 @@ from sympy import pi as exact_pi
 
 from derive.emit.backends import EACH, EACH_FUNCTIONS, FUNCTIONS
 from derive.emit.committed import emit_kernels
-from derive.emit.errors import EmitError
+from derive.emit.errors import EmitError, SceneError
 from derive.emit.module import emit_module
 from derive.emit.proof import prove_module
 from derive.emit.scene import CASES, OUTPUTS, load_scene, parse_scene
@@ -67,6 +67,13 @@ def test_an_equilibrium_carries_only_what_the_outputs_read():
     assert "opposite" not in alone
     expected, got = (load(text).equilibria(**ROD)[0].tip_angle for text in (both, alone))
     assert got == expected
+
+
+def test_a_sweep_needs_a_parameter():
+    constants = "beta = 1\neta = 1\nlength = 1\nclamp_angle = 1"
+    assert scene_of("parallel", constants).parameters == ()
+    with pytest.raises(SceneError, match=r"scene:4: every parameter is folded: nothing is left to sweep"):
+        scene_of("parallel", constants, '["sweep"]')
 
 
 # Formulas for any field angle

@@ -131,7 +131,7 @@ class _Calls(ast.NodeTransformer):
         first, rest = node.args[:skip], node.args[skip:]
         positions = {index for index, name in enumerate(parameters) if name in gone}
         starred = next((index for index, argument in enumerate(rest) if isinstance(argument, ast.Starred)), len(rest))
-        only = rest[0] if len(rest) == 1 and not node.keywords else None
+        only = rest[0] if len(rest) == 1 and all(k.arg and k.arg not in gone for k in node.keywords) else None
         if isinstance(only, ast.Starred) and isinstance(only.value, ast.Name):
             return  # f(*rod): the tuple has lost the same members, or the run of the module fails
         if starred < len(rest) and any(index >= starred for index in positions):

@@ -25,9 +25,10 @@ _OPERATIONS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.Div: operator.truediv,
     ast.Pow: operator.pow,
 }
-# Functions that fold when their result is rational (or, for the first row, always).
 # Functions that give back their last argument when it is a constant within its domain: real(name, value) and the like.
-_IDENTITIES = ("float", "mpf", "real", "not_negative", "positive")
+_CHECKS = ("real", "not_negative", "positive")
+_IDENTITIES = ("float", "mpf", *_CHECKS, *(f"all_{check}" for check in _CHECKS))
+# Functions that fold when their result is rational.
 _FUNCTIONS: dict[str, Callable[[Any], Any]] = {
     name: getattr(sympy, name) for name in ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "sinh", "cosh")
 } | {"abs": sympy.Abs, "isfinite": lambda value: S.true}

@@ -14,7 +14,7 @@ from derive.emit.head import case_text, domain_text, export_lines, fill, import_
 from derive.emit.instances import instances as make_instances
 from derive.emit.kernel_files import KernelFiles, read_kernels
 from derive.emit.layout import lines_of
-from derive.emit.lower import lower
+from derive.emit.lower import DIGITS, lower
 from derive.emit.pieces import Piece, imports, sections
 from derive.emit.render import render
 from derive.emit.scene import GENERAL_CASE, Scene
@@ -68,6 +68,8 @@ def emit_module(
     for output in scene.outputs:
         if not isinstance(slicer.piece("api", output, f"scene '{scene.name}'"), str):
             raise EmitError(f"kernels/api.py only imports '{output}'; define it there")
+    if BACKENDS[backend].exact:
+        slicer.piece(*DIGITS, f"scene '{scene.name}'")
     names = specialise(slicer, scene.outputs)
     lower(names, slicer.pieces, backend, scene.outputs)
     names = slicer.reach(scene.outputs)

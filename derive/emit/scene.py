@@ -118,7 +118,7 @@ def parse_scene(text: str, label: str = "scene") -> Scene:
         raise source.error("the table [scene] is missing", "", "scene")
     _check_types(table, source)
     case = _one_of(table["case"], CASES, "case", source)
-    return Scene(
+    scene = Scene(
         name=_name(table["name"], source),
         title=str(table.get("title", table["name"])),
         case=case,
@@ -126,6 +126,9 @@ def parse_scene(text: str, label: str = "scene") -> Scene:
         backends=_some_of(table.get("backends", list(BACKENDS)), BACKENDS, "backends", source),
         constants=_constants(data.get("constants", {}), case, source),
     )
+    if "sweep" in scene.outputs and not scene.parameters:
+        raise source.error("every parameter is folded: nothing is left to sweep; drop 'sweep'", "scene", "outputs")
+    return scene
 
 
 def _check_keys(data: dict[str, Any], possible: set[str], source: _Source) -> None:

@@ -28,7 +28,9 @@ class Equilibrium:
 
     tip_angle: θ(ℓ), continuous from θ(0) = clamp_angle, not wrapped. clamp_curvature: θ′(0). gamma: constant of
     the first integral. y, z: position of the tip. energy: ∫(½θ′² − ½η(d₃·e)²)ds − β·y, in units of EI. index:
-    number of negative directions of the second variation; 0 means stable. rod and tip carry what ``shape`` needs.
+    number of negative directions of the second variation; 0 means stable.
+    rod: what ``shape`` needs beyond the tip.
+    tip: where the rod starts from, None if it is straight.
     """
 
     tip_angle: float
