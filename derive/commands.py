@@ -63,26 +63,6 @@ def run_all(options: argparse.Namespace) -> int:
     return write_modules(options, shipped(), paper=True)
 
 
-def run_emit(options: argparse.Namespace) -> int:
-    """Write modules, or with --check compare them with what is there."""
-    scenes = [scene_path(name) for name in options.scenes] or shipped()
-    if not options.check:
-        return write_modules(options, scenes, paper=False)
-    folder = options.out or output.default_folder()
-    job = pipeline.Job()
-    with running(options) as runner:
-        pipeline.emit_modules(runner, job, pipeline.read_scenes(runner, scenes))
-        if not job.holds:
-            return failed(job)
-        files = emitted_files(runner, job, folder, kernels=not options.out)
-    lines = output.drift(files, folder, complete=not options.scenes)
-    sys.stdout.writelines(lines)
-    save(options.json, {"drift": [line.rstrip("\n") for line in lines]})
-    if lines:
-        print(f"derive emit: {folder} differs from what the scenes give; run 'derive emit'", file=sys.stderr)
-    return 1 if lines else 0
-
-
 def write_modules(options: argparse.Namespace, scenes: list[Path], *, paper: bool) -> int:
     """Derive, judge, emit, prove, run; then write, and show what was found."""
     start, console = time.perf_counter(), show.console()

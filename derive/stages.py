@@ -169,6 +169,14 @@ def emit(scene_text: str, label: str, backend: str) -> dict[str, Any]:
     return {**found, "failure": "", "text": module.text, "proof": proof, "left_out": list(module.left_out)}
 
 
+def explain_scene(scene_text: str, label: str, backend: str) -> dict[str, Any]:
+    """What a module leaves out and why, with its text and that of the full module."""
+    from derive.emit.left_out import explain_scene
+    from derive.emit.scene import parse_scene
+
+    return plain(explain_scene(theory(), parse_scene(scene_text, label), backend))
+
+
 def emit_kernels() -> dict[str, str]:
     """The text of the kernel files that are emitted: the kernels' own formulas, and array instances."""
     from derive.emit.committed import emit_kernels

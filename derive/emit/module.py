@@ -48,17 +48,19 @@ def emit_module(
     *,
     kernels: Mapping[str, str] | None = None,
     instances: Mapping[str, str] = ARRAY_INSTANCES,
+    formulas: Mapping[str, Formula] | None = None,
     common: bool = False,
 ) -> EmittedModule:
     """The module for ``scene`` on ``backend``; unproved (see ``proof``).
 
-    kernels: the kernel files by stem. instances: those that have an array instance, and its stem. common: name
-    repeated subexpressions.
+    kernels: the kernel files by stem. instances: those that have an array instance, and its stem. formulas: those to
+    use by name, else those of the load case, and for any field angle where it has none. common: name repeated
+    subexpressions.
     """
     sources = read_kernels() if kernels is None else dict(kernels)
     sources |= {stem: instance_text(made) for stem, made in make_instances(sources, instances).items()}
     known = KernelFiles(sources, backend, instances)
-    formulas = formulas_of(theory, GENERAL_CASE, scene.case)
+    formulas = formulas_of(theory, GENERAL_CASE, scene.case) if formulas is None else formulas
     if not formulas:
         raise EmitError(
             f"the theory has no formulas for case '{scene.case}' of scene '{scene.name}'; derive them first"
