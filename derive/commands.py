@@ -151,7 +151,9 @@ def scene_path(name: str) -> Path:
         return known[name]
     if path.suffix == ".toml" or path.exists():
         return path
-    raise MistakeError(f"no scene '{name}'; give a scene file, or one of: {', '.join(known)}")
+    from derive.emit.errors import choices
+
+    raise MistakeError(f"no scene '{name}'{choices(name, known)}, or a scene file")
 
 
 def latex(path: Path) -> str:

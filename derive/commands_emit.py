@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Sequence
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -51,8 +52,8 @@ def explain(options: argparse.Namespace, runner: Runner, scenes: Sequence[Path])
     found = pipeline.explain_scenes(runner, pipeline.read_scenes(runner, scenes))
     times = import_times(texts(found))
     for one in found:
-        one["size"]["import_ms"] = times[f"{one['scene']}_{one['backend']}"]
-        one["full_size"]["import_ms"] = times[f"full {one['backend']}"]
+        one["size"]["import_ms"] = asdict(times[f"{one['scene']}_{one['backend']}"])
+        one["full_size"]["import_ms"] = asdict(times[f"full {one['backend']}"])
         del one["text"], one["full_text"]
     console = show.console()
     for one in found:

@@ -191,13 +191,14 @@ def show_left_out(console: Console, module: Mapping[str, Any]) -> None:
 def show_sizes(console: Console, modules: Sequence[Mapping[str, Any]]) -> None:
     """How large modules are and how long they take to import, beside the full module of their backend."""
     table = Table(title="Against the full module: any field angle, all outputs", title_justify="left", show_edge=False)
-    for heading in ("module", "functions", "lines", "bytes", "import, ms", "of the full one's bytes"):
+    for heading in ("module", "functions", "lines", "bytes", "bytes of the full one", "import, ms", "from … to"):
         table.add_column(heading, justify="left" if heading == "module" else "right")
     full = {f"full, {one['backend']}": one["full_size"] for one in modules}
     sizes = [(f"{one['scene']}_{one['backend']}", one["size"], one["full_size"]) for one in modules]
     for name, size, whole in [*sizes, *((name, size, size) for name, size in full.items())]:
         columns = [str(size[key]) for key in ("functions", "lines", "bytes")]
         share = f"{100 * size['bytes'] / whole['bytes']:.0f} %"
-        table.add_row(name, *columns, f"{size['import_ms']:.1f}", share)
+        time = size["import_ms"]
+        table.add_row(name, *columns, share, f"{time['median']:.1f}", f"{time['least']:.1f} … {time['most']:.1f}")
     console.print(table)
-    console.print("Import times are medians in fresh interpreters, beyond the import of NumPy or mpmath.")
+    console.print("Import: median, least and most of some fresh interpreters, beyond the import of NumPy or mpmath.")

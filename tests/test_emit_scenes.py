@@ -15,10 +15,12 @@ from sympy import pi as exact_pi
 from derive.emit.backends import EACH, EACH_FUNCTIONS, FUNCTIONS
 from derive.emit.committed import emit_kernels
 from derive.emit.errors import EmitError, SceneError
+from derive.emit.left_out import Size, explain_scene, items, size
 from derive.emit.module import emit_module
 from derive.emit.proof import prove_module
 from derive.emit.scene import CASES, OUTPUTS, load_scene, parse_scene
 from derive.emit.substitute import substitute
+from derive.measure.imports import import_times
 from derive.measure.loading import load
 from derive.resources import scenes_folder, shipped_scenes
 from derive.theory.symbols import beta, eta
@@ -237,3 +239,78 @@ def test_a_marked_file_that_is_missing_is_named():
 
 def test_angles_are_those_of_the_load_case():
     assert load(emitted("orthogonal").text).equilibria(0.7, 1.3, 2.5, pi / 2)
+
+
+# What is left out, and why
+
+
+def explained(case="oblique", backend="numpy", constants="", outputs='["equilibria", "shape"]', kernels=KERNELS):
+    scene = scene_of(case, constants, outputs)
+    found = explain_scene(THEORY, scene, backend, kernels=kernels, instances=INSTANCES)
+    return found, {(one.kind, one.name): one.reason for one in found.absent}
+
+
+def test_the_full_module_leaves_out_only_what_nothing_reaches():
+    every = '["equilibria", "shape", "folds", "literal"]'
+    idle = KERNELS["waves"] + '\n\ndef idle(x):\n    """Nobody calls it."""\n    return x\n'
+    found, reasons = explained(outputs=every, kernels={**KERNELS, "waves": idle})
+    assert items(found.text) == items(found.full_text)
+    assert found.folded == {}
+    assert reasons == {("function", "idle"): "no output reaches it"}
+
+
+def test_every_absence_has_its_reason():
+    found, reasons = explained("force_only", constants='length = "2"', outputs='["equilibria"]')
+    assert dict(found.folded["eta"]) == {"value": "0", "by": "the load case"}
+    assert dict(found.folded["length"]) == {"value": "2", "by": "the scene"}
+    assert reasons["parameter", "equilibria(length)"] == "folded: length = 2"
+    assert reasons["parameter", "equilibria(eta)"] == "folded: eta = 0"
+    assert reasons["parameter", "moment(eta)"] == "folded: eta = 0"
+    assert reasons["parameter", "strength(half)"] == "decided by eta = 0"
+    assert reasons["function", "opposite"] == "not wanted: output shape"  # only what it carries needs it
+    assert reasons["field", "Equilibrium.kept"] == "not wanted: output shape"
+    assert reasons["function", "motion_each"] == "not wanted: output shape"
+    assert reasons["function", "folds"] == "not wanted: output folds"
+    assert reasons["import", "numpy"] == "not wanted: output shape"
+    assert found.size.functions < found.full_size.functions
+    assert found.size.bytes == len(found.text.encode())
+
+
+def test_a_branch_is_decided_by_the_constant_that_decides_it():
+    _, reasons = explained("parallel", constants='beta = "1"\neta = "0"')
+    assert reasons["function", "opposite"] == "decided by eta = 0"
+    _, reasons = explained("field_only")
+    assert ("function", "opposite") not in reasons or reasons["function", "opposite"] == "decided by beta = 0"
+
+
+def test_what_is_present_is_not_said_to_be_absent():
+    for case in CASES:
+        for backend in ("numpy", "mpmath"):
+            found, reasons = explained(case, backend)
+            assert not set(items(found.text)) & set(reasons)
+            gone = {name for kind, name in set(items(found.full_text)) - set(items(found.text)) if kind == "function"}
+            assert gone <= {name for kind, name in reasons if kind == "function"}
+            assert EACH not in "".join(name for _, name in reasons) or backend == "numpy"
+
+
+def test_a_sizes_table_counts_what_is_there():
+    assert size("import math\n\n\ndef f(ξ):\n    return ξ + 1.0\n") == Size(1, 5, 45)
+    assert items("from math import pi\nA = 1\n\n\nclass B:\n    c: int\n\n\ndef d(e, *, f=1):\n    pass\n") == [
+        ("import", "math.pi"),
+        ("constant", "A"),
+        ("class", "B"),
+        ("field", "B.c"),
+        ("function", "d"),
+        ("parameter", "d(e)"),
+        ("parameter", "d(f)"),
+    ]
+
+
+def test_import_times_are_of_the_module_alone():
+    """A module that sleeps takes its sleep, one that does nothing takes next to nothing beside it."""
+    slow = "import time\n\ntime.sleep(0.2)\n"
+    times = import_times({"slow": ("numpy", slow), "idle": ("numpy", '"""Nothing."""\n')}, repeats=2)
+    assert 200 <= times["slow"].least <= times["slow"].median <= times["slow"].most
+    assert times["idle"].least < times["slow"].least
+    with pytest.raises(ImportError, match="ZeroDivisionError"):
+        import_times({"broken": ("numpy", "1 / 0\n")}, repeats=1)

@@ -13,7 +13,7 @@ from typing import Any
 
 from sympy import Expr
 
-from derive.emit.backends import BACKENDS
+from derive.emit.backends import ARRAY_INSTANCES, BACKENDS
 from derive.emit.errors import EmitError
 from derive.emit.kernel_files import KernelFiles, read_kernels
 from derive.emit.module import EmittedModule, emit_module
@@ -61,11 +61,18 @@ class Explanation:
         return asdict(self)
 
 
-def explain_scene(theory: Any, scene: Scene, backend: str, kernels: Mapping[str, str] | None = None) -> Explanation:
+def explain_scene(
+    theory: Any,
+    scene: Scene,
+    backend: str,
+    *,
+    kernels: Mapping[str, str] | None = None,
+    instances: Mapping[str, str] = ARRAY_INSTANCES,
+) -> Explanation:
     """What the module of a scene leaves out on a backend."""
     sources = read_kernels() if kernels is None else dict(kernels)
-    module = emit_module(theory, scene, backend, kernels=sources)
-    trials = _Trials(theory, scene, backend, sources)
+    module = emit_module(theory, scene, backend, kernels=sources, instances=instances)
+    trials = _Trials(theory, scene, backend, sources, instances)
     full = trials.full()
     source = {name: "the load case" if name in CASES[scene.case] else "the scene" for name in scene.folded}
     folded = {name: {"value": str(value), "by": source[name]} for name, value in scene.folded.items()}
@@ -125,9 +132,12 @@ def size(text: str) -> Size:
 class _Trials:
     """Modules that take only some of the steps from the full module to a scene's, emitted when they are asked for."""
 
-    def __init__(self, theory: Any, scene: Scene, backend: str, kernels: Mapping[str, str]) -> None:
-        self.theory, self.scene, self.backend, self.kernels = theory, scene, backend, kernels
-        self.files = KernelFiles(kernels, backend)
+    def __init__(
+        self, theory: Any, scene: Scene, backend: str, kernels: Mapping[str, str], instances: Mapping[str, str]
+    ) -> None:
+        self.theory, self.scene, self.backend = theory, scene, backend
+        self.sources: dict[str, Any] = {"kernels": kernels, "instances": instances}
+        self.files = KernelFiles(kernels, backend, instances)
         self.possible = tuple(output for output in OUTPUTS if self.files.lookup("api", output))
         self.known: dict[tuple[tuple[str, ...], tuple[str, ...]], set[Item] | None] = {}
 
@@ -137,10 +147,9 @@ class _Trials:
 
     def emit(self, outputs: tuple[str, ...], folded: Mapping[str, Expr]) -> EmittedModule:
         """A module of any field angle with some constants folded."""
-        names = {"name": "full", "title": "Any field angle, all outputs"}
-        scene = replace(self.scene, **names, case=GENERAL_CASE, outputs=outputs, constants=dict(folded))
-        formulas = kernel_formulas(self.theory)
-        return emit_module(self.theory, scene, self.backend, kernels=self.kernels, formulas=formulas)
+        general = replace(self.scene, name="full", title="Any field angle, all outputs", case=GENERAL_CASE)
+        scene = replace(general, outputs=outputs, constants=dict(folded))
+        return emit_module(self.theory, scene, self.backend, formulas=kernel_formulas(self.theory), **self.sources)
 
     def has(self, item: Item, outputs: tuple[str, ...], folded: tuple[str, ...]) -> bool:
         """Whether such a module has the item; one that cannot be emitted is said to have everything."""

@@ -144,12 +144,14 @@ class Slicer:
 
 
 def specialise_formula(formula: Formula, folded: Mapping[str, Expr]) -> Formula:
-    """The formula with the folded parameters replaced by their values and dropped from its arguments."""
+    """The formula with the folded parameters replaced by their values, without the arguments that leaves unread."""
     fixed = {symbol: folded[symbol.name] for symbol in formula.arguments if symbol.name in folded}
     if not fixed:
         return formula
-    arguments = tuple(symbol for symbol in formula.arguments if symbol not in fixed)
-    return replace(formula, arguments=arguments, expression=substitute(formula.expression, fixed))
+    expression = substitute(formula.expression, fixed)
+    gone = formula.expression.free_symbols - expression.free_symbols | set(fixed)
+    arguments = tuple(symbol for symbol in formula.arguments if symbol not in gone)
+    return replace(formula, arguments=arguments, expression=expression)
 
 
 # Load cases whose formulas have every argument, in which form kernels call them; the later stands before the earlier.

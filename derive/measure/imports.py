@@ -6,10 +6,11 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
 
-REPEATS = 5
+REPEATS = 7
 # The package is loaded first, so that what is timed is the module, and what it needs of the standard library besides.
 _CODE = """
 import sys, time
@@ -21,10 +22,19 @@ print(time.perf_counter() - start)
 """
 
 
+@dataclass(frozen=True)
+class ImportTime:
+    """Milliseconds for one import: the median of some, the least and the most. Differences within these say nothing."""
+
+    median: float
+    least: float
+    most: float
+
+
 def import_times(
     texts: Mapping[str, tuple[str, str]], repeats: int = REPEATS, progress: Callable[[int, int], None] | None = None
-) -> dict[str, float]:
-    """Milliseconds that each module takes to import, the median of some fresh interpreters.
+) -> dict[str, ImportTime]:
+    """How long each module takes to import in some fresh interpreters.
 
     texts: for each module, the package it stands on and its text. All are imported once before, so that compiling them
     is not counted, and then in turn, so that what slows the machine for a while slows them all.
@@ -40,7 +50,7 @@ def import_times(
                     found[name].append(1000 * seconds)
             if progress:
                 progress(turn + 1, repeats + 1)
-    return {name: median(times) for name, times in found.items()}
+    return {name: ImportTime(median(times), min(times), max(times)) for name, times in found.items()}
 
 
 def _import_once(folder: str, package: str, module: str) -> float:
