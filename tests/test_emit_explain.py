@@ -10,7 +10,14 @@ import pytest
 from derive.cli import main
 from derive.output import default_folder
 
-TIPS = '[scene]\nname = "tips"\ncase = "force_only"\noutputs = ["equilibria"]\nbackends = ["numpy"]\n[constants]\nlength = "80"\n'
+TIPS = """[scene]
+name = "tips"
+case = "force_only"
+outputs = ["equilibria"]
+backends = ["numpy"]
+[constants]
+length = "80"
+"""
 
 
 @pytest.fixture

@@ -154,6 +154,59 @@ def test_no_product_is_multiplied_out_and_no_root_is_split():
     assert root.base == other / 2
 
 
+MIRRORED = '''
+"""Motion, and its mirror image."""
+from dataclasses import dataclass
+
+from derive.emit.kernels.arithmetic import cos
+from derive.emit.kernels.formulas import moment
+
+
+@dataclass(frozen=True)
+class Case:
+    """A case."""
+
+    tilt: float
+    angle: float
+
+
+def motion(beta, eta, field_angle, angle):
+    """Both ways."""
+    return bend(beta, eta, field_angle, angle) + 3 * bend(beta, eta, -field_angle, -angle)
+
+
+def bend(beta, eta, alpha, angle):
+    """One way."""
+    case = Case(alpha, angle)
+    return value(beta, eta, case.tilt, case) + (cos(case.tilt) if case.tilt != 0 else 1)
+
+
+def value(beta, eta, turned, case):
+    """The moment."""
+    return moment(beta, eta, turned, case.angle)
+
+
+def motion_each(beta, eta, field_angle, angle):
+    """Not asked for."""
+'''
+
+
+@pytest.mark.parametrize("backend", ["numpy", "mpmath"])
+@pytest.mark.parametrize("case", list(CASES))
+def test_a_value_that_every_call_gives_spreads(case, backend):
+    """An angle that is passed on as it is and mirrored: gone where it is 0, kept where its sign counts."""
+    scene, sources = scene_of(case, outputs='["equilibria"]'), {**KERNELS, "motion": MIRRORED, "motion_each": MIRRORED}
+    special = emit_module(THEORY, scene, backend, kernels=sources, instances={})
+    full = emit_module(THEORY, scene_of("oblique", outputs='["equilibria"]'), backend, kernels=sources, instances={})
+    assert prove_module(special)
+    folded = {name: float(value) for name, value in scene.folded.items()}
+    (expected,) = load(full.text).equilibria(**ROD | folded)
+    (got,) = load(special.text).equilibria(**{name: value for name, value in ROD.items() if name not in folded})
+    assert float(got.tip_angle) == pytest.approx(float(expected.tip_angle), rel=1e-14)
+    gone = [name not in special.text for name in ("alpha", "tilt", "turned", "cos")]
+    assert gone == [case not in ("orthogonal", "oblique")] * 4
+
+
 # Array instances
 
 

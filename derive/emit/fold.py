@@ -142,7 +142,11 @@ class _Folder(ast.NodeTransformer):
 
     def visit_IfExp(self, node: ast.IfExp) -> ast.expr:
         self.generic_visit(node)
-        return (node.body if truth(node.test) else node.orelse) if isinstance(node.test, Exact) else node
+        body, orelse = node.body, node.orelse
+        if isinstance(node.test, Exact):
+            return body if truth(node.test) else orelse
+        same = isinstance(body, Exact) and isinstance(orelse, Exact) and body.value == orelse.value
+        return body if same and not any(isinstance(n, ast.NamedExpr) for n in ast.walk(node.test)) else node
 
 
 def fold(node: Any, values: Mapping[str, Any], calls: Mapping[str, Any], modules: Collection[str]) -> Any:

@@ -36,6 +36,7 @@ class Slicer:
         self.kernels, self.formulas, self.general, self.folded, self.common = kernels, formulas, general, folded, common
         self.pieces: dict[str, Piece] = {}
         self.missing: set[str] = set()
+        self.fixed: dict[str, dict[str, Expr]] = {}  # the arguments that every call of a formula gives as one value
 
     def piece(self, file: str, name: str, wanted_by: str) -> str | External:
         """The piece for ``name`` of a kernel file, made if need be: its final name, or where outside it comes from."""
@@ -75,14 +76,17 @@ class Slicer:
         """The formula of a piece as the theory gives it, under the piece's name."""
         return replace(self.formulas[base_name(self.pieces[name].file, name)], name=name)
 
-    def is_finite(self, name: str, values: Mapping[str, Expr]) -> bool:
+    def is_finite(self, name: str, values: dict[str, Expr]) -> bool:
         """Whether the formula has a value there: −β/η has none for η = 0."""
-        return not specialise_formula(self.formula(name), values).expression.has(zoo, nan, oo, -oo)
+        return not specialise_formula(self.formula(name), self.fixed.get(name, {}) | values).expression.has(
+            zoo, nan, oo, -oo
+        )
 
-    def fix_formula(self, name: str, values: Mapping[str, Expr]) -> None:
-        """Print a piece's formula anew, with ``values`` for the arguments that every call gives in the same way."""
+    def fix_formula(self, name: str, values: dict[str, Expr]) -> None:
+        """Print a piece's formula anew, with further ``values`` for arguments that every call gives in the same way."""
         piece = self.pieces[name]
-        piece.formula = specialise_formula(self.formula(name), values)
+        self.fixed[name] = self.fixed.get(name, {}) | values
+        piece.formula = specialise_formula(self.formula(name), self.fixed[name])
         elementwise = piece.file != FORMULAS[0]
         piece.node = formula_function(piece.formula, common=self.common, elementwise=elementwise)
         piece.names = {}

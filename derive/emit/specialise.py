@@ -19,8 +19,10 @@ from derive.emit.errors import EmitError
 from derive.emit.fold import fold, fold_inside
 from derive.emit.pieces import Piece, bound_names
 from derive.emit.slice import Slicer
+from derive.emit.spread import spread
 from derive.emit.tidy import constant_locals, prune, sweep
 from derive.emit.values import value_of
+from derive.theory.claims import Formula
 
 _ROUNDS = 50  # far more than any kernel needs
 
@@ -37,18 +39,33 @@ def specialise(slicer: Slicer, roots: Sequence[str]) -> list[str]:
             slicer.fix_formula(name, fixed)
         else:
             slicer.missing.add(name)
+    drop_parameters(pieces, {name: _unread(slicer, piece) for name, piece in pieces.items() if piece.formula}, {})
     drop_parameters(pieces, {name: _drops(piece, folded) for name, piece in pieces.items()}, folded)
     _check_order(slicer)
-    constant = {p.name: p.formula.expression for p in pieces.values() if p.formula and p.formula.expression.is_number}
     for _ in range(_ROUNDS):
-        before = _forms(kernels)
-        for piece in kernels.values():
+        before = _forms(pieces)
+        constant = {p.name: p.formula.expression for p in pieces.values() if p.formula and _is_number(p.formula)}
+        for piece in list(kernels.values()):
             _round(piece, constant, pieces)
         drop_carried(pieces, slicer.reach(roots))
         _drop_unused(pieces, roots)
-        if _forms(kernels) == before:
+        spread(slicer, roots)
+        _take_in(kernels, pieces, values)
+        if _forms(pieces) == before:
             break
     return _checked(slicer, slicer.reach(roots))
+
+
+def _is_number(formula: Formula) -> bool:
+    return bool(formula.expression.is_number)
+
+
+def _take_in(kernels: dict[str, Piece], pieces: Mapping[str, Piece], values: Mapping[str, Any]) -> None:
+    """Fold the kernels that only a specialised formula calls."""
+    for name, piece in pieces.items():
+        if piece.kind != "formula" and name not in kernels:
+            kernels[name] = piece
+            _fold(piece, pieces, values)
 
 
 def _forms(pieces: Mapping[str, Piece]) -> list[str]:
@@ -88,6 +105,13 @@ def _drops(piece: Piece, folded: Mapping[str, Expr]) -> tuple[str, ...]:
         return tuple(name for name in piece.parameters if name not in kept)
     keywords = [a.arg for a in piece.node.args.kwonlyargs] if isinstance(piece.node, ast.FunctionDef) else []
     return tuple(name for name in (*piece.parameters, *keywords) if name in folded)
+
+
+def _unread(slicer: Slicer, piece: Piece) -> tuple[str, ...]:
+    """Arguments of a formula that its fixed values leave unread, whatever calls give for them."""
+    arguments = [] if piece.formula is None else [symbol.name for symbol in piece.formula.arguments]
+    own = [symbol.name for symbol in slicer.formula(piece.name).arguments]
+    return tuple(name for name in own if name not in arguments and name not in slicer.fixed.get(piece.name, {}))
 
 
 def _fixed_arguments(slicer: Slicer) -> dict[str, dict[str, Expr]]:
