@@ -11,7 +11,7 @@ Formulas, each proved equal to its derivation:
     level_above_gap (slch1), moment_from_side (exsl6), moment_from_top (exsl6), point_minus (exsl22),
     point_other (exsl22), point_plus (exsl22), rising_level (slch1), rod_energy (exsl8), side_moment (exsl6),
     straight_stiffness, tip_gamma (slch3), tip_gap (slch1)
-Digest of the inputs: sha256 65c9b431e7232ebdf24144ba99ceb1983b12fd3db17ad4ffdac159c7b27eb9be
+Digest of the inputs: sha256 103e00aa345b54ce55fd37f947d8336878a25a8961a147142a909d39a333cecc
 """
 
 from __future__ import annotations

@@ -11,7 +11,7 @@ Formulas, each proved equal to its derivation:
     gap_other_plus, level_above_gap (slch1), moment_from_side (exsl6), moment_from_top (exsl6),
     point_minus (exsl22), point_other (exsl22), point_plus (exsl22), rising_level (slch1), rod_energy (exsl8),
     side_moment (exsl6), straight_stiffness, tip_gamma (slch3), tip_gap (slch1)
-Digest of the inputs: sha256 4a411e11451975b00f8281473a6aaca289eaf061f535db24b52a51ca2eb91642
+Digest of the inputs: sha256 a40f5ecb1d3b6a9ee298e353d54e18a0e1df4cfc1a3bdc6fe8938fd9f875d93b
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ Formulas, each proved equal to its derivation:
     moment_from_side (exsl6), moment_from_top (exsl6), point_minus (exsl22), point_other (exsl22),
     point_plus (exsl22), rod_energy (slch5), side_moment (exsl6), straight_stiffness, tip_gamma (slch6),
     tip_gap (slch4)
-Digest of the inputs: sha256 bb16826995feb10bc89b2ad8d67bb891c49ad93bce5848060cd59ae4a68db64f
+Digest of the inputs: sha256 04e42ec5cc4e27cadffee5587edbb942b84e17893b4e82cd111dbb42b024ecef
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ Formulas, each proved equal to its derivation:
     gap_other_minus, level_above_gap (slch4), moment_from_side (exsl6), moment_from_top (exsl6),
     point_minus (exsl22), point_other (exsl22), point_plus (exsl22), rod_energy (slch5), side_moment (exsl6),
     straight_stiffness, tip_gamma (slch6), tip_gap (slch4)
-Digest of the inputs: sha256 a0eaff46bace3ee9b90aa29b4bb3a9ac3a2bc78e6970df754953bb41fb7c1361
+Digest of the inputs: sha256 254078dc1fb94622eccbbffe9b38c930a5bfaa14f23ee207fc808a7458ffa8a3
 """
 
 from __future__ import annotations

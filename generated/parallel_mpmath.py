@@ -11,7 +11,7 @@ Formulas, each proved equal to its derivation:
     level_above_gap (exsl13), moment_from_side (exsl6), moment_from_top (exsl6), point_minus (exsl22),
     point_other (exsl22), point_plus (exsl22), rising_level (exsl13), rod_energy (exsl8), side_moment (exsl6),
     straight_stiffness, tip_gamma (exsl23), tip_gap (exsl13)
-Digest of the inputs: sha256 72f103fa82be92182938a68e09dc85d5f050fb245e150e32736fbcedd6ff8e80
+Digest of the inputs: sha256 026114d66d52fcba51a7a2c71b242e836f50a8aa58d554cb16caaad49344992b
 """
 
 from __future__ import annotations

@@ -11,7 +11,7 @@ Formulas, each proved equal to its derivation:
     gap_other_plus, level_above_gap (exsl13), moment_from_side (exsl6), moment_from_top (exsl6),
     point_minus (exsl22), point_other (exsl22), point_plus (exsl22), rising_level (exsl13), rod_energy (exsl8),
     side_moment (exsl6), straight_stiffness, tip_gamma (exsl23), tip_gap (exsl13)
-Digest of the inputs: sha256 2a6cbfc31e2de65ab53ff89cdd0058e99c448cc0459694b470af2ab70f403512
+Digest of the inputs: sha256 fd358b7280b49f2a9aba12b1e9707d8db67e571ec2880c44eeaf586c23d7ab06
 """
 
 from __future__ import annotations

@@ -12,7 +12,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from derive.emit.kernels import api
+from derive.emit.backends import SHARED
+from derive.emit.kernels import (
+    api,
+    arithmetic,
+    arithmetic_mpmath,
+    array_arithmetic,
+    array_arithmetic_mpmath,
+)
 from derive.emit.kernels.arguments import Given, index_limit, many_rods, one_rod
 from generated import field_only_numpy, parallel_mpmath, parallel_numpy
 
@@ -98,6 +105,31 @@ def test_the_largest_index_limits_the_answer():
             wanted = [one.tip_angle for one in found if one.index <= limit]
             assert [one.tip_angle for one in module.equilibria(*arguments, max_index=limit)] == wanted
             assert list(module.sweep(*arguments, max_index=limit).tip_angle) == wanted
+
+
+# The arithmetic of both twins
+
+
+def test_the_twins_have_the_same_names():
+    assert arithmetic.__all__ == arithmetic_mpmath.__all__
+    assert array_arithmetic.__all__ == array_arithmetic_mpmath.__all__
+    for module in (arithmetic, arithmetic_mpmath, array_arithmetic, array_arithmetic_mpmath):
+        assert all(hasattr(module, name) for name in module.__all__)
+
+
+def test_scalars_and_arrays_have_the_same_names():
+    """Each elementwise name has a scalar one (abs, max and min are builtins), and back, as array instances need."""
+    scalar = {*arithmetic.__all__, "abs", "max", "min"} - {*SHARED, "real"}
+    assert {name.removeprefix("each_") for name in array_arithmetic.__all__} == scalar
+
+
+def test_arrays_compute_what_scalars_compute():
+    x = np.array([0.1, 0.5, 0.9])
+    for name in ("acos", "asin", "asinh", "atan", "ceil", "cos", "exp", "floor", "isfinite", "log", "sin", "sqrt"):
+        one, each = getattr(arithmetic, name), getattr(array_arithmetic, f"each_{name}")
+        assert each(x) == pytest.approx([one(value) for value in x.tolist()], rel=4e-16)
+    assert array_arithmetic.each_where(x > 0.3, 1, 2).tolist() == [arithmetic.where(v > 0.3, 1, 2) for v in x]
+    assert arithmetic.largest(0.9) == array_arithmetic.largest(x)
 
 
 # Many rods

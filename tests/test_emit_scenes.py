@@ -14,8 +14,9 @@ from sympy import pi as exact_pi
 
 from derive.emit.backends import EACH, EACH_FUNCTIONS, FUNCTIONS
 from derive.emit.committed import emit_kernels
+from derive.emit.contents import Size, items, size
 from derive.emit.errors import EmitError, SceneError
-from derive.emit.left_out import Size, explain_scene, items, size
+from derive.emit.left_out import explain_scene
 from derive.emit.module import emit_module
 from derive.emit.proof import prove_module
 from derive.emit.scene import CASES, OUTPUTS, load_scene, parse_scene

@@ -11,13 +11,13 @@ from sympy.core.function import Function
 
 from derive.emit.backends import ARRAY_INSTANCES, EACH, EACH_FUNCTIONS, FORMULAS, FUNCTIONS
 from derive.emit.errors import EmitError
+from derive.emit.formulas import kernel_formulas, spelled
 from derive.emit.head import from_import
 from derive.emit.instances import Instance, instances
 from derive.emit.kernel_files import read_kernels
 from derive.emit.layout import lines_of
 from derive.emit.printer import formula_function
 from derive.emit.render import render
-from derive.emit.slice import kernel_formulas, spelled
 from derive.theory.claims import Formula
 
 

@@ -10,6 +10,7 @@ from typing import Any
 from derive.emit.backends import ARRAY_INSTANCES, BACKENDS
 from derive.emit.committed import instance_text
 from derive.emit.errors import EmitError
+from derive.emit.formulas import formulas_of, kernel_formulas, spelled
 from derive.emit.head import case_text, domain_text, export_lines, fill, import_lines, public_names
 from derive.emit.instances import instances as make_instances
 from derive.emit.kernel_files import KernelFiles, read_kernels
@@ -18,7 +19,7 @@ from derive.emit.lower import DIGITS, lower
 from derive.emit.pieces import Piece, imports, sections
 from derive.emit.render import render
 from derive.emit.scene import GENERAL_CASE, Scene
-from derive.emit.slice import Slicer, formulas_of, kernel_formulas, spelled
+from derive.emit.slice import Slicer
 from derive.emit.specialise import specialise
 from derive.theory.claims import Formula
 

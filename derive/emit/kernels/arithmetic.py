@@ -17,17 +17,29 @@ __all__ = [
     "floor",
     "inf",
     "isfinite",
+    "largest",
     "log",
     "pi",
     "real",
     "sin",
     "sqrt",
+    "where",
 ]
 
 
 def epsilon() -> float:
     """The spacing of numbers just above 1."""
     return 2.0**-52
+
+
+def where(condition, yes, no):
+    """``yes`` if the condition holds, else ``no``; on arrays one for each element."""
+    return yes if condition else no
+
+
+def largest(x):
+    """The largest element: of a number, itself."""
+    return x
 
 
 def real(name: str, value: object) -> float:

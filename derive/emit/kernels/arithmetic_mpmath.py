@@ -19,11 +19,13 @@ __all__ = [
     "floor",
     "inf",
     "isfinite",
+    "largest",
     "log",
     "pi",
     "real",
     "sin",
     "sqrt",
+    "where",
 ]
 
 
@@ -40,6 +42,16 @@ def ceil(x):
 def floor(x):
     """The greatest integer that is not above x."""
     return int(mpf_floor(x))
+
+
+def where(condition, yes, no):
+    """``yes`` if the condition holds, else ``no``."""
+    return yes if condition else no
+
+
+def largest(x):
+    """The largest element: of a number, itself."""
+    return x
 
 
 def real(name, value):
