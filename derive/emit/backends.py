@@ -103,7 +103,12 @@ SECTIONS = {
     "solver": "Solver",
     "interface": "Interface",
 }
-RESULTS = ("Equilibrium", "Shape", "Sweep")  # classes of what the outputs return, wherever a kernel defines them
+RESULTS = (
+    "Equilibrium",
+    "Shape",
+    "Sweep",
+    "Folds",
+)  # classes of what the outputs return, wherever a kernel defines them
 # By what a result is known to the caller. Its other fields are carried for further outputs.
 KNOWN_BY = {"Equilibrium": ("tip_angle", "clamp_curvature", "gamma", "y", "z", "energy", "index")}
 FILE_SECTIONS = {
