@@ -208,6 +208,85 @@ def test_a_value_that_every_call_gives_spreads(case, backend):
     assert gone == [case not in ("orthogonal", "oblique")] * 4
 
 
+SCALED = '''
+"""Motion in units in which the force and the field are of order one."""
+from typing import NamedTuple
+
+from derive.emit.kernels.arithmetic import cos, frexp, ldexp, pi, sqrt
+from derive.emit.kernels.formulas import moment
+
+
+class Rod(NamedTuple):
+    """A rod in those units; side: -1 for its mirror image."""
+
+    beta: float
+    eta: float
+    length: float
+    field_angle: float
+    side: int
+
+
+def motion(beta, eta, field_angle, angle, size):
+    """Both ways."""
+    scale = frexp(beta + eta + 1)[1] + 3
+    field = principal(field_angle)
+    rod = Rod(ldexp(beta, scale), ldexp(eta, scale), ldexp(size, -scale), field, 1)
+    image = Rod(rod.beta, rod.eta, rod.length, reflected(field), -1)
+    return both(rod, angle) - 3 * both(image, -angle)
+
+
+def principal(field_angle):
+    """The field angle where it is small."""
+    if field_angle == 0 or field_angle == pi / 2:
+        return field_angle
+    return field_angle - 2 * pi
+
+
+def reflected(field_angle):
+    """The other side."""
+    if field_angle == 0 or field_angle == pi / 2:
+        return field_angle
+    return -field_angle
+
+
+def both(rod, angle):
+    """One way."""
+    beta, eta, length = rod.beta, rod.eta, rod.length
+    return turned(beta, eta, rod.field_angle, length, angle) * rod.side
+
+
+def turned(beta, eta, field_angle, length, angle):
+    """The moment and a little of everything."""
+    tilt = cos(field_angle) if eta > 0 else 1
+    return moment(beta, eta, field_angle, angle) * length + tilt * sqrt(beta + eta + length)
+
+
+def motion_each(beta, eta, field_angle, angle):
+    """Not asked for."""
+'''
+
+
+@pytest.mark.parametrize("constants", ["", 'length = "80"', 'length = "80"\nclamp_angle = "pi/2"', 'eta = "1/10"'])
+@pytest.mark.parametrize("case", list(CASES))
+def test_a_name_that_is_given_something_else_is_no_folded_constant(case, constants):
+    """Kernels may say ``length`` for a length in other units; zeros, and angles that stay, are folded all the same."""
+    if case == "force_only" and "eta" in constants:
+        return
+    api = KERNELS["api"].replace("clamp_angle) / length, (", "clamp_angle, length) / length, (")
+    math = KERNELS["arithmetic"].replace("import cos,", "import cos, frexp, ldexp,")
+    sources = {**KERNELS, "motion": SCALED, "motion_each": SCALED, "api": api, "arithmetic": math}
+    scene = scene_of(case, constants, '["equilibria"]')
+    special = emit_module(THEORY, scene, "numpy", kernels=sources, instances={})
+    full = emit_module(THEORY, scene_of("oblique", outputs='["equilibria"]'), "numpy", kernels=sources, instances={})
+    assert prove_module(special)
+    folded = {name: float(value) for name, value in scene.folded.items()}
+    (expected,) = load(full.text).equilibria(**ROD | folded)
+    (got,) = load(special.text).equilibria(**{name: value for name, value in ROD.items() if name not in folded})
+    assert float(got.tip_angle) == pytest.approx(float(expected.tip_angle), rel=1e-13)
+    assert ("field_angle" in special.text.split('"""', 2)[2]) == (case == "oblique")
+    assert ("def reflected" in special.text) == (case == "oblique")
+
+
 # Array instances
 
 

@@ -20,7 +20,7 @@ def drop_carried(pieces: Mapping[str, Piece], reached: Collection[str]) -> None:
     }
     drops = {name: fields for name, fields in drops.items() if fields}
     if drops:
-        drop_parameters(pieces, drops, {})
+        drop_parameters(pieces, drops)
 
 
 def _read(node: ast.AST) -> set[str]:

@@ -25,9 +25,10 @@ def fix_formulas(slicer: Slicer) -> None:
 
 def drop_folded(slicer: Slicer) -> None:
     """Drop folded parameters everywhere, and from formulas what they leave unread or their load case lacks."""
-    pieces, folded = slicer.pieces, slicer.folded
-    drop_parameters(pieces, {name: _unread(slicer, piece) for name, piece in pieces.items() if piece.formula}, {})
-    drop_parameters(pieces, {name: _drops(piece, folded) for name, piece in pieces.items()}, folded)
+    pieces = slicer.pieces
+    drop_parameters(pieces, {name: _unread(slicer, piece) for name, piece in pieces.items() if piece.formula})
+    drops = {name: _drops(piece, slicer.constants(piece)) for name, piece in pieces.items()}
+    drop_parameters(pieces, drops, slicer.constants, slicer.folded)
     _check_order(slicer)
 
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from derive.emit.backends import ARRAY_INSTANCES, BACKENDS
 from derive.emit.committed import instance_text
-from derive.emit.errors import EmitError
+from derive.emit.errors import DifferentValueError, EmitError
 from derive.emit.formulas import formulas_of, kernel_formulas, spelled
 from derive.emit.head import case_text, domain_text, export_lines, fill, import_lines, public_names
 from derive.emit.instances import instances as make_instances
@@ -67,13 +67,9 @@ def emit_module(
             f"the theory has no formulas for case '{scene.case}' of scene '{scene.name}'; derive them first"
         )
     general = {name: tuple(s.name for s in f.arguments) for name, f in kernel_formulas(theory).items()}
-    slicer = Slicer(known, formulas, general, scene.folded, common=common)
-    for output in scene.outputs:
-        if not isinstance(slicer.piece("api", output, f"scene '{scene.name}'"), str):
-            raise EmitError(f"kernels/api.py only imports '{output}'; define it there")
-    if BACKENDS[backend].exact:
-        slicer.piece(*DIGITS, f"scene '{scene.name}'")
-    names = specialise(slicer, scene.outputs)
+    slicer, names = _specialised(
+        lambda kept: Slicer(known, formulas, general, scene.folded, common=common, kept=kept), scene, backend
+    )
     lower(names, slicer.pieces, backend, scene.outputs)
     names = slicer.reach(scene.outputs)
     used = tuple(piece.formula for name in names if (piece := slicer.pieces[name]).formula)
@@ -81,6 +77,30 @@ def emit_module(
     text = render("module.py.jinja", _context(scene, backend, slicer.pieces, names, used, digest))
     left_out = tuple(sorted({*slicer.pieces, *formulas} - set(names)))
     return EmittedModule(f"{scene.name}_{backend}", text, scene, backend, used, digest, left_out)
+
+
+def _specialised(
+    make: Callable[[set[tuple[str, str]]], Slicer], scene: Scene, backend: str
+) -> tuple[Slicer, list[str]]:
+    """The pieces of a scene, specialised, and the names of those reached.
+
+    A parameter or field with the name of a folded constant is taken for it; where a call gives it something else (a
+    length in other units, say) it is kept, and all is done again.
+    """
+    kept: set[tuple[str, str]] = set()
+    while True:
+        slicer = make(kept)
+        for output in scene.outputs:
+            if not isinstance(slicer.piece("api", output, f"scene '{scene.name}'"), str):
+                raise EmitError(f"kernels/api.py only imports '{output}'; define it there")
+        if BACKENDS[backend].exact:
+            slicer.piece(*DIGITS, f"scene '{scene.name}'")
+        try:
+            return slicer, specialise(slicer, scene.outputs)
+        except DifferentValueError as error:
+            if error.pairs <= kept or {owner for owner, _ in error.pairs} & set(scene.outputs):
+                raise
+            kept |= error.pairs
 
 
 def _context(

@@ -23,7 +23,18 @@ from derive.theory.claims import Claim, Domain, Equal, Formula
 
 # Standard-library modules that emitted code may import.
 STANDARD = frozenset(
-    ("__future__", "math", "typing", "dataclasses", "functools", "itertools", "collections", "bisect", "operator")
+    (
+        "__future__",
+        "math",
+        "typing",
+        "dataclasses",
+        "functools",
+        "itertools",
+        "collections",
+        "bisect",
+        "operator",
+        "cmath",
+    )
 )
 
 

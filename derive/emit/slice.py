@@ -30,9 +30,11 @@ class Slicer:
         folded: Mapping[str, Expr],
         *,
         common: bool = False,
+        kept: Iterable[tuple[str, str]] = (),
     ) -> None:
         self.kernels, self.formulas, self.general, self.folded, self.common = kernels, formulas, general, folded, common
         self.pieces: dict[str, Piece] = {}
+        self.kept = frozenset(kept)
         self.missing: set[str] = set()
         self.fixed: dict[str, dict[str, Expr]] = {}  # the arguments that every call of a formula gives as one value
 
@@ -73,6 +75,21 @@ class Slicer:
     def formula(self, name: str) -> Formula:
         """The formula of a piece as the theory gives it, under the piece's name."""
         return replace(self.formulas[base_name(self.pieces[name].file, name)], name=name)
+
+    def constants(self, piece: Piece) -> dict[str, Expr]:
+        """The folded constants that names in a piece stand for: all but parameters that are given something else.
+
+        kept: such parameters and fields, (function or record, name). A field is kept in all records, and so are
+        variables of its name that a function takes from somewhere.
+        """
+        own = {name for owner, name in self.kept if owner == piece.name}
+        stored = {n.id for n in ast.walk(piece.node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
+        own |= self.kept_fields() & (self.kept_fields() if piece.kind == "class" else stored)
+        return {name: value for name, value in self.folded.items() if name not in own}
+
+    def kept_fields(self) -> set[str]:
+        """Fields that have the name of a folded constant, and are given something else."""
+        return {name for owner, name in self.kept if owner in self.pieces and self.pieces[owner].kind == "class"}
 
     def is_finite(self, name: str, values: dict[str, Expr]) -> bool:
         """Whether the formula has a value there: −β/η has none for η = 0."""
@@ -120,9 +137,11 @@ class Slicer:
             piece.names[name] = target if isinstance(target, str) else _imported(target)
 
     def _plain(self, external: External) -> External:
-        """The import without its alias, unless a kernel has a definition of that name."""
-        taken = any(external.name in kernel.definitions for kernel in self.kernels.files.values())
-        return external if taken or external.name is None else External(external.module, external.name, external.name)
+        """The import without its alias, unless its own name means something else in a kernel, or in another module."""
+        name = external.name
+        taken = any(name in kernel.definitions for kernel in self.kernels.files.values())
+        taken = taken or len(self.kernels.modules.get(name or "", ())) > 1
+        return external if taken or name is None else External(external.module, name, name)
 
     def reach(self, roots: Iterable[str]) -> list[str]:
         """Names of the pieces that ``roots`` reach, what is needed before what needs it."""

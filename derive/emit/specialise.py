@@ -20,57 +20,77 @@ from derive.emit.pieces import Piece, bound_names
 from derive.emit.slice import Slicer
 from derive.emit.spread import spread
 from derive.emit.tidy import constant_locals, prune, sweep
-from derive.theory.claims import Formula
+from derive.emit.values import Exact
 
 _ROUNDS = 50  # far more than any kernel needs
 
 
 def specialise(slicer: Slicer, roots: Sequence[str]) -> list[str]:
     """Fold the slicer's constants into its pieces, in place; the names still reached, in order."""
-    folded, pieces = slicer.folded, slicer.pieces
+    pieces = slicer.pieces
     kernels = {name: piece for name, piece in pieces.items() if piece.kind != "formula"}
-    values = dict(folded)
     for piece in kernels.values():
-        _fold(piece, pieces, values)
+        _fold(slicer, piece)
+    if slicer.folded:
+        _settle(kernels, pieces)
     fix_formulas(slicer)
+    if slicer.folded:
+        _settle(kernels, pieces)
     drop_folded(slicer)
     for _ in range(_ROUNDS):
         before = _forms(pieces)
-        constant = {p.name: p.formula.expression for p in pieces.values() if p.formula and _is_number(p.formula)}
-        for piece in list(kernels.values()):
-            _round(piece, constant, pieces)
+        _settle(kernels, pieces)
         drop_carried(pieces, slicer.reach(roots))
         _drop_unused(pieces, roots)
         spread(slicer, roots)
-        _take_in(kernels, pieces, values)
+        _take_in(slicer, kernels)
         if _forms(pieces) == before:
             break
     return _checked(slicer, slicer.reach(roots))
 
 
-def _is_number(formula: Formula) -> bool:
-    return bool(formula.expression.is_number)
+def _settle(kernels: Mapping[str, Piece], pieces: Mapping[str, Piece]) -> None:
+    """Work out what the values in the pieces decide, until nothing changes."""
+    for _ in range(_ROUNDS):
+        before = _forms(kernels)
+        constant = {name: value for name, piece in pieces.items() if (value := _constant(piece)) is not None}
+        for piece in list(kernels.values()):
+            _round(piece, constant, pieces)
+        if _forms(kernels) == before:
+            return
 
 
-def _take_in(kernels: dict[str, Piece], pieces: Mapping[str, Piece], values: Mapping[str, Any]) -> None:
+def _constant(piece: Piece) -> Any:
+    """What every call of a formula or function gives, where it is one and the same folded value."""
+    if piece.formula:
+        return piece.formula.expression if piece.formula.expression.is_number else None
+    body = piece.node.body[1:] if isinstance(piece.node, ast.FunctionDef) else []
+    lone = body[0] if len(body) == 1 and isinstance(body[0], ast.Return) else None
+    return lone.value.value if lone and isinstance(lone.value, Exact) else None
+
+
+def _take_in(slicer: Slicer, kernels: dict[str, Piece]) -> None:
     """Fold the kernels that only a specialised formula calls."""
-    for name, piece in pieces.items():
+    for name, piece in slicer.pieces.items():
         if piece.kind != "formula" and name not in kernels:
             kernels[name] = piece
-            _fold(piece, pieces, values)
+            _fold(slicer, piece)
 
 
 def _forms(pieces: Mapping[str, Piece]) -> list[str]:
     return [ast.dump(piece.node) for piece in pieces.values()]
 
 
-def _fold(piece: Piece, pieces: Mapping[str, Piece], values: Mapping[str, Any]) -> None:
+def _fold(slicer: Slicer, piece: Piece) -> None:
+    values, pieces = slicer.constants(piece), slicer.pieces
+    kept = slicer.kept_fields()
+    fields = {name: value for name, value in slicer.folded.items() if name not in kept}
     modules = {name for name, origin in piece.names.items() if isinstance(origin, External) and origin.name is None}
     # A folded name that the function assigns (eta = float(eta)) is swept before its loads are replaced.
     assigned = bound_names(piece.node) & set(values)
     if assigned:
         piece.node = sweep(piece.node, assigned, _pure(pieces), f"kernels/{piece.file}.py ({piece.name})", strict=True)
-    piece.node = fold(piece.node, values, {}, modules | set(MODULE_ALIASES.values()))
+    piece.node = fold(piece.node, values, fields, modules | set(MODULE_ALIASES.values()))
 
 
 _PURE = frozenset(
@@ -116,7 +136,7 @@ def _drop_unused(pieces: Mapping[str, Piece], roots: Sequence[str]) -> None:
             if gone:
                 drops[name] = gone
     if drops:
-        drop_parameters(pieces, drops, {})
+        drop_parameters(pieces, drops)
 
 
 def _passed_on(pieces: Mapping[str, Piece]) -> set[str]:

@@ -79,7 +79,7 @@ def _fix(slicer: Slicer, name: str, values: dict[str, Any]) -> None:
     slicer.fix_formula(name, values)
     piece = slicer.pieces[name]
     kept = [symbol.name for symbol in piece.formula.arguments] if piece.formula else []
-    drop_parameters(slicer.pieces, {name: tuple(p for p in piece.parameters if p not in kept)}, {})
+    drop_parameters(slicer.pieces, {name: tuple(p for p in piece.parameters if p not in kept)})
 
 
 def _is_read_only(node: ast.AST, name: str) -> bool:
@@ -91,7 +91,7 @@ def _is_read_only(node: ast.AST, name: str) -> bool:
 def _fold_parameters(pieces: Mapping[str, Piece], piece: Piece, values: Mapping[str, Any]) -> None:
     if values:
         fold_inside(piece.node, values, {}, _MODULES)
-        drop_parameters(pieces, {piece.name: tuple(values)}, {})
+        drop_parameters(pieces, {piece.name: tuple(values)})
 
 
 def _fields(pieces: Mapping[str, Piece], reached: Collection[str]) -> Counter[str]:
@@ -114,7 +114,7 @@ def _fold_fields(pieces: Mapping[str, Piece], reached: Collection[str], name: st
     for piece in (pieces[one] for one in reached):
         if piece.kind != "formula":
             piece.node = _Attributes(values).visit(piece.node)
-    drop_parameters(pieces, {name: tuple(values)}, {})
+    drop_parameters(pieces, {name: tuple(values)})
 
 
 class _Attributes(ast.NodeTransformer):
