@@ -31,8 +31,8 @@ class Piece:
 
     @property
     def section(self) -> str:
-        """The section of the module to which it belongs; a constant that calls the module's own stands after that."""
-        if self.kind == "constant" and not any(isinstance(self.names[name], str) for name in self.uses()):
+        """The section of the module to which it belongs."""
+        if self.kind == "constant":
             return "constants"
         return "interface" if self.name in RESULTS else FILE_SECTIONS.get(self.file, "solver")
 
