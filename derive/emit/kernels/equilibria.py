@@ -132,8 +132,10 @@ def bent_rod(rod, turns, piece, crossing, index):
     motion, basin = stay.motion, piece.basin
     phase = phase_of(motion)
     swing, arrival = times(motion)
-    whole = arc_to(beta, eta, field_angle, motion, far_point(motion), 1, 0, swing)
-    whole = with_stays(eta, field_angle, whole, stay, stay.middle, stay.far, basin)
+    whole = Arc(0, 0, 0)  # not asked for within the first half-swing
+    if crossing.turns:
+        whole = arc_to(beta, eta, field_angle, motion, far_point(motion), 1, 0, swing)
+        whole = with_stays(eta, field_angle, whole, stay, stay.middle, stay.far, basin)
     part = arc_to(beta, eta, field_angle, motion, clamp_point(motion, phase), phase.square, phase.rest, arrival)
     part = with_stays(eta, field_angle, part, stay, stay.arrival, 0, basin)
     both, sign = 2 * crossing.turns, crossing.sign
