@@ -7,12 +7,16 @@ at twice the digits, so that the convergence is Newton's own.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Any
 
 from mpmath import mp, mpf
 
+from derive.measure.counts import count
 from derive.measure.reference import DIGITS, MOST_ROUNDS, Rod
 from derive.measure.taylor import integrate
+
+HALVINGS = 17
 
 
 class NoFoldError(ValueError):
@@ -65,6 +69,29 @@ def fold(rod: Rod, parameter: str, value: float, tip_angle: float, digits: int =
         # miss ≈ miss_p (p − value) + h_tip (φ − tip)²/2
         bend = -2 * miss_p / h_tip
         return Fold(rod, parameter, +p, +tip, 1 if bend > 0 else -1, float(abs(bend)))
+
+
+def fold_between(rod: Rod, parameter: str, low: float, high: float) -> Fold | None:
+    """A fold between two values of an input where a moderate rod has different numbers of equilibria; None if it has not.
+
+    Halving by brute force, to 1e-5 of the interval, and then `fold`.
+    """
+    first = _tips(rod, parameter, low)
+    if len(first) == len(_tips(rod, parameter, high)):
+        return None
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        low, high = (middle, high) if len(_tips(rod, parameter, middle)) == len(first) else (low, middle)
+    tips = max(_tips(rod, parameter, low), _tips(rod, parameter, high), key=len)
+    gap, k = min((after - before, k) for k, (before, after) in enumerate(pairwise(tips)))
+    return fold(rod, parameter, (low + high) / 2, tips[k] + gap / 2)
+
+
+def _tips(rod: Rod, parameter: str, value: float) -> tuple[float, ...]:
+    counted = count([replace(rod, **{parameter: value})])[0]
+    if counted.tips is None:
+        raise NoFoldError(f"at a fold already: {counted.rod}")
+    return counted.tips
 
 
 def _at(rod: Rod, parameter: str, value: Any, tip: Any, digits: int) -> tuple[Any, Any]:
