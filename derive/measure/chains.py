@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from math import ceil, log, pi
+from math import ceil, log, pi, sqrt
 from typing import Any
 
 import numpy as np
@@ -48,13 +48,15 @@ class Node:
 class Shot:
     """A rod from its tip: nodes from there on, ∂θ(0)/∂unknown, zeros of it on the way, integrals of the pieces.
 
-    correction: the greatest one that brought a state back to its level, over the size of the state.
+    response: the greatest ∂(state)/∂unknown over the size of the state. correction: the greatest one that brought a
+    state back to its level, over its size.
     """
 
     nodes: list[Node]
     slope: Any
     index: int
     places: list[tuple[Any, Any, Any]]
+    response: Any
     correction: float
 
 
@@ -87,7 +89,7 @@ class Chain:
         fractions = np.arange(count, -1, -1) / count
         theta, curvature = (np.asarray(part, dtype=float) for part in guess(fractions * rod.length))
         rates = curvature / -float(load.scale)
-        if load.length <= 1:
+        if rod.length * sqrt(rod.beta + rod.eta) <= 1:
             deflection = mpf(float(theta[0])) - mpf(rod.clamp_angle)
             return cls(rod, load, count, [clamped(rod)], True, True, 0, deflection, 0, 0.0, 1)
         bases = rests(load, theta.min() - pi, theta.max() + pi)
@@ -125,6 +127,7 @@ class Chain:
         node = self.start()
         g = (mpf(1) if self.direct else -1 / self.moment(node), mpf(0))
         nodes, places, index, worst = [node], [], 0, 0.0
+        response = _share(g[0], node)
         for length in self.lengths(digits):
             if node.base not in bases:
                 bases[node.base] = Base(self.load, +self.rests[node.base].angle, not self.weak, digits, more_terms)
@@ -139,7 +142,8 @@ class Chain:
             index += bool(g[0]) and (g[0] > 0) != (before[0] > 0)
             nodes.append(node)
             places.append((piece.y, piece.z, piece.energy))
-        return Shot(nodes, g[0], index, places, worst)
+            response = max(response, _share(g[0], node))
+        return Shot(nodes, g[0], index, places, response, worst)
 
     def moment(self, node: Node) -> Any:
         """θ″ there, scaled."""
@@ -164,7 +168,7 @@ class Chain:
         return Node(best, node.delta + self.rests[node.base].angle - self.rests[best].angle, node.rate)
 
     def step(self, shot: Shot) -> tuple[Any, float]:
-        """What Newton's method changes the unknown by, and how much that is of it."""
+        """What Newton's method changes the unknown by, and the greatest change of a state by it, over its size."""
         last = shot.nodes[-1]
         miss = last.delta - (mpf(self.rod.clamp_angle) - self.rests[last.base].angle)
         if not miss:
@@ -172,8 +176,13 @@ class Chain:
         if not shot.slope:
             raise NoEquilibriumError(f"the rod is at a fold to the last digit: {self.rod}")
         step = -miss / shot.slope
-        size = float(abs(step / self.unknown)) if self.unknown else 1.0
-        return step if self.direct else step / self.unknown, size
+        return step if self.direct else step / self.unknown, float(abs(step) * shot.response)
+
+
+def _share(g: Any, node: Node) -> Any:
+    """|g| over the size of a state, which is 0 on a straight rod alone."""
+    size = max(abs(node.delta), abs(node.rate))
+    return abs(g) / size if size else mpf(0)
 
 
 def clamped(rod: Rod) -> Rest:

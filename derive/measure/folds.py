@@ -72,7 +72,7 @@ def fold(rod: Rod, parameter: str, value: float, tip_angle: float, digits: int =
 
 
 def fold_between(rod: Rod, parameter: str, low: float, high: float) -> Fold | None:
-    """A fold between two values of an input where a moderate rod has different numbers of equilibria; None if it has not.
+    """A fold between two values of an input, where a moderate rod has different numbers of equilibria, or None.
 
     Halving by brute force, to 1e-5 of the interval, and then `fold`.
     """

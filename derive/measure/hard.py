@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from math import sqrt
 from types import ModuleType
 from typing import Any
@@ -112,7 +113,7 @@ def wrong_in_kind(found: Sequence[Any], number: int | None) -> list[str]:
     if len(found) % 2 == 0:
         faults.append(f"{len(found)} equilibria, an even number")
     tips = [equilibrium.tip_angle for equilibrium in found]
-    if any(after < before for before, after in zip(tips, tips[1:], strict=False)):
+    if any(after < before for before, after in pairwise(tips)):
         faults.append("tip angles out of order")
     if any(equilibrium.index % 2 != k % 2 for k, equilibrium in enumerate(found)):
         faults.append(f"indices {[equilibrium.index for equilibrium in found]} do not alternate in parity")

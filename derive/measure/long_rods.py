@@ -13,7 +13,7 @@ from typing import Any
 
 from mpmath import mp, mpf
 
-from derive.measure.chains import Chain, Guess, Shot
+from derive.measure.chains import Chain, Guess, Node, Shot
 from derive.measure.reference import DIGITS, FRACTIONS, MOST_ROUNDS, NoEquilibriumError, Reference, Rod
 
 GUARD_DIGITS = 10
@@ -23,6 +23,7 @@ CLOSE = 1e-9
 SUPERLINEAR = 1.4
 # Relative change of an input for its derivatives, in the digits of FIRST_DIGITS.
 NUDGE = 1e-12
+MOST_EXTRA = 24
 
 
 @dataclass(frozen=True)
@@ -81,7 +82,7 @@ def result(chain: Chain, shot: Shot, sizes: Sequence[float]) -> Refined:
     tip = shot.nodes[0]
     fold = shot.slope if chain.direct else -shot.slope * chain.moment(tip)
     drawn = profile(chain, shot)
-    reference = Reference(chain.rod, shot.index, quantities(chain.rod, drawn), sensitivities(chain, fold))
+    reference = Reference(chain.rod, shot.index, quantities(chain.rod, drawn), sensitivities(chain, shot.nodes, fold))
     arc, theta, curvature, y, z, _ = (tuple(column) for column in zip(*drawn, strict=True))
     rest = +chain.rests[tip.base].angle
     return Refined(reference, rest, tip.delta, fold, shot.correction, tuple(sizes), arc, theta, curvature, y, z)
@@ -114,21 +115,25 @@ def quantities(rod: Rod, drawn: Sequence[tuple[Any, ...]]) -> dict[str, Any]:
     return values
 
 
-def sensitivities(chain: Chain, fold: Any) -> dict[str, float]:
+def sensitivities(chain: Chain, nodes: Sequence[Node], fold: Any) -> dict[str, float]:
     """Σ|p ∂quantity/∂p| over the inputs, by differences at a fixed unknown, which then follows so that θ(0) is kept.
 
     At fixed s/ℓ the length does what β and η do together: ℓ∂_ℓ = 2(β∂_β + η∂_η) for angles; lengths are scaled besides.
     """
-    nudge = mpf(NUDGE)
-    base = responses(chain)
+    extra = height_digits(chain, nodes)
+    nudge, digits = mpf(NUDGE) * mpf(10) ** -extra, FIRST_DIGITS + extra
+    base = responses(chain, digits)
     push = nudge * abs(chain.unknown or 1 / max(1, abs(fold))) if chain.direct else nudge
-    freely = responses(chain.moved(push))
+    freely = responses(chain.moved(push), digits)
     by_unknown = {name: (freely[name] - base[name]) / push for name in base}
     parts: dict[str, dict[str, Any]] = {}
     for name in ("beta", "eta", "field_angle"):
         value = mpf(getattr(chain.rod, name))
         moved: Rod = replace(chain.rod, **{name: value * (1 + nudge)})
-        there = responses(chain.loaded(moved)) if value else base
+        try:
+            there = responses(chain.loaded(moved), digits) if value else base
+        except NoEquilibriumError:  # the least change of the input takes it away
+            return dict.fromkeys((key for key in base if key != "clamp"), float("inf"))
         parts[name] = {key: (there[key] - base[key]) / nudge for key in base}
     units = {"y": 1, "z": 1, "clamp_curvature": -1, "curvature": -1, "energy": -1, "gamma": -2}
     parts["length"] = {
@@ -143,7 +148,22 @@ def sensitivities(chain: Chain, fold: Any) -> dict[str, float]:
     return {key: float(total) for key, total in totals.items() if key != "clamp"}
 
 
-def responses(chain: Chain) -> dict[str, Any]:
+def height_digits(chain: Chain, nodes: Sequence[Node]) -> int:
+    """Digits to add where the rod lingers at directions whose heights move apart with the field's angle.
+
+    E over the others then moves by the nudge itself, which must stay small beside E. Beyond MOST_EXTRA digits the
+    condition number is greater than what any arithmetic in doubles could bear, and comes out merely as large.
+    """
+    if chain.direct or not chain.rod.field_angle:
+        return 0
+    level = chain.rests[chain.level].angle
+    turns = {base: (chain.rests[base].angle - level) / (2 * mp.pi) for base in {node.base for node in nodes}}
+    others = [abs(chain.energy(base)) for base, turn in turns.items() if abs(turn - mp.nint(turn)) > 1e-6]
+    least = min([*others, mpf(1)])
+    return int(min(MOST_EXTRA, max(0, ceil(-log10(float(least) or 1e-300)))))
+
+
+def responses(chain: Chain, digits: int) -> dict[str, Any]:
     """All quantities and θ(0), of a chain as it stands, with few digits."""
-    drawn = profile(chain, chain.shoot(FIRST_DIGITS))
+    drawn = profile(chain, chain.shoot(digits))
     return {**quantities(chain.rod, drawn), "clamp": drawn[0][1]}

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from math import cos, nextafter, pi, sqrt
 
 from mpmath import mp
@@ -171,5 +172,5 @@ def _level(base: Rod, height: float) -> list[float]:
             return force + float(load.eta) / 2 * cos(angle - base.field_angle) ** 2 - height
 
         grid = [-pi / 2 + 0.0137 + k * 2 * pi / 400 for k in range(401)]
-        pairs = [(a, b) for a, b in zip(grid, grid[1:], strict=False) if over(a) * over(b) < 0]
+        pairs = [(a, b) for a, b in pairwise(grid) if over(a) * over(b) < 0]
         return [float(mp.findroot(over, pair, solver="anderson", tol=1e-25, verify=False)) for pair in pairs]
