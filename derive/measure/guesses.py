@@ -54,20 +54,28 @@ def guessed(bases: Sequence[Rest], theta: Array, rates: Array, length: float, cl
     size = np.maximum(np.abs(delta), np.abs(rates))
     if np.all(size < STRAIGHT) and np.all(nearest == tip):
         return _straight(bases[tip], tip, offset, length)
-    stay = max(_stays(bases, nearest, size), key=lambda one: one.last - one.first, default=None)
-    if stay is None:
+    stays = _stays(bases, nearest, size)
+    if stays and stays[0].first == 0:  # δ at the tip may be below all doubles; what grows from it is not
+        side = _sign(_grown(bases[stays[0].base], delta, rates, stays[0].last))
+    if not stays:
         level, energy = _plain(bases, nearest, delta, rates)
         return Guessed(level, energy, tip, float(delta[0]), side)
+    stay = max(stays, key=lambda one: one.last - one.first)
     rest, step = bases[stay.base], length / (len(theta) - 1)
     kappa = mp.sqrt(rest.stiffness)
-    p = mpf(float(rates[stay.last])) + kappa * mpf(float(delta[stay.last]))
+    p = _grown(rest, delta, rates, stay.last)
     q = mpf(float(rates[stay.first])) - kappa * mpf(float(delta[stay.first]))
     fade = mp.exp(-kappa * step * (stay.last - stay.first))
     if stay.first == 0:
-        q, side = -p * fade, _sign(p)
+        q = -p * fade
     elif stay.last == len(theta) - 1:
         p = 2 * kappa * offset + q * fade
     return Guessed(stay.base, p * q * fade / 2, tip, float(delta[0]), side)
+
+
+def _grown(rest: Rest, delta: Array, rates: Array, at: int) -> Any:
+    """p at a node."""
+    return mpf(float(rates[at])) + mp.sqrt(rest.stiffness) * mpf(float(delta[at]))
 
 
 def _straight(rest: Rest, tip: int, offset: Any, length: float) -> Guessed:
