@@ -201,7 +201,9 @@ def turning_point(rest: Rest, energy: Any, near: float, side: int) -> Any:
         delta = mpf(near)
     for _ in range(MOST_TURNS):
         rise, moment = rest.rise_and_moment(delta)
-        step = (rise - energy) / moment if moment else mp.inf
+        if not moment:
+            break
+        step = (rise - energy) / moment
         delta += step
         if abs(step) <= abs(delta) * mpf(10) ** (-mp.dps // 2 - 3):
             return delta
