@@ -215,7 +215,7 @@ def rising_root(function, low, high):
 
 
 def offset_from(rest, angle, turns):
-    """angle − (rest + turns·2π), without cancellation; 0 where no angle within rounding of this one tells them apart."""
+    """angle − (rest + turns·2π), without cancellation; 0 where no angle within rounding of this tells them apart."""
     offset = less_quarters(angle, 4 * turns + rest.quarters) - rest.extra
     blur = epsilon() * (abs(angle) + abs(rest.extra))
     return pick((abs(offset) <= blur) | (abs(offset) < epsilon() ** 9), 0, offset)

@@ -26,7 +26,9 @@ class Motion(NamedTuple):
     middle: float
     sine: float  # sin(half_width)
     half_cosine: float  # cos(half_width/2)
-    skew: float  # far − near over 2 sin(half_width)
+    uneven: float  # √far − √near
+    done_sine: float  # sin(done/2)
+    left_sine: float  # sin(left/2)
 
 
 def motion_at(beta, eta, field_angle, piece: Piece, place):
@@ -55,12 +57,35 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     lack = (from_hill + far_distance) / 2 if whole_turn else pi - half_width
     sine = sin(pick(lack < half_width, lack, half_width))
     near, far = 2 * near_moment / sine, 2 * far_moment / sine
-    skew = 0 if basin.even else eta * sin(2 * (tip + half_width - field_angle))
+    uneven = 0 if basin.even else unevenness(eta, field_angle, tip + half_width, sine, near, far)
+    # done/2 + left/2 = half_width: near half a turn one follows from the other.
+    done_sine = sin(pick(done > pi, lack + left / 2, done / 2))
+    left_sine = sin(pick(left > pi, lack + done / 2, left / 2))
     end, middle = rates(beta, eta, field_angle, piece, tip, half_width, sine, near, far, drop, depth)
     half_cosine = sin(lack / 2)
     return Motion(
-        tip, half_width, done, left, near_moment, far_moment, near, far, end, middle, sine, half_cosine, skew
+        tip,
+        half_width,
+        done,
+        left,
+        near_moment,
+        far_moment,
+        near,
+        far,
+        end,
+        middle,
+        sine,
+        half_cosine,
+        uneven,
+        done_sine,
+        left_sine,
     )
+
+
+def unevenness(eta, field_angle, middle, sine, near, far):
+    """√far − √near: by the roots, or by far − near = 2η sin 2(middle − α) sin(half_width) where that is less."""
+    by_turns = 2 * eta * sin(2 * (middle - field_angle)) * sine / (sqrt(near) + sqrt(far))
+    return pick(near + far < 2 * eta * sine, sqrt(far) - sqrt(near), by_turns)
 
 
 def far_side(eta, piece, rise, drop, depth, done):
@@ -123,10 +148,8 @@ def rates(beta, eta, field_angle, piece, tip, half_width, sine, near, far, drop,
     apart = mean - eta
     close = above_field(eta, piece, middle, half_width, field_angle, drop, depth)
     apart = pick(apart > 0.1 * eta, apart, close)
-    together = product + excess
-    split = sine * sine * apart * (mean + eta) / pick(excess < 0, product - excess, 1)
-    square = pick(excess < 0, split, together) / 4
-    return sqrt(product / 2), sqrt(larger(square, 0))
+    split = sine * sqrt(larger(apart * (mean + eta), 0) / pick(excess < 0, product - excess, 1))
+    return sqrt(product / 2), pick(excess < 0, split, sqrt(product + larger(excess, 0))) / 2
 
 
 def above_field(eta, piece, middle, half_width, field_angle, drop, depth):

@@ -141,9 +141,23 @@ class Ground(NamedTuple):
 def ground_of(beta, eta, field_angle, scene, clamp):
     """The ground of a rod."""
     rests, at = scene.rests, clamp.offsets
-    if len(rests) == 3 or scene.level:
-        return Ground(scene, at, 0, 0, 0)
-    drop = ridge_fall(beta, eta, field_angle, rests[0], rests[2])
+    if len(rests) == 3:
+        return level_ground(scene, at)
+    drop = 0 if scene.level else ridge_fall(beta, eta, field_angle, rests[0], rests[2])
+    # A ridge lower by less than this would be passed only from within its square root of the hill.
+    if drop <= epsilon() ** 17 * (beta + eta):
+        return level_ground(scene._replace(level=True, even=True), at)
+    return ridge_ground(eta, scene, at, drop)
+
+
+def level_ground(scene, at):
+    """The ground without a ridge lower than the hill."""
+    return Ground(scene, at, 0, 0, 0)
+
+
+def ridge_ground(eta, scene, at, drop):
+    """The ground with a lower ridge."""
+    rests = scene.rests
     level = reach(eta, rests[0], drop, rests[1].angle - rests[0].angle, 1)
     return Ground(scene, at, drop, level, fall(eta, rests[2], 0, at[2]))
 
@@ -276,9 +290,7 @@ def piece_of(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_ga
         closer = abs(distance) < abs(offset)
         rest, offset = pick_rest(closer, other, rest), pick(closer, distance, offset)
     last = at[len(rests) - 1]
-    return Piece(
-        basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last
-    )
+    return Piece(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last)
 
 
 def pick_rest(condition, yes, no):

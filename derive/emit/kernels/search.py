@@ -62,15 +62,20 @@ class Stay(NamedTuple):
 def delays(piece):
     """The delays at both ends, beyond the depth at which squares of offsets would underflow."""
     basin, depth = piece.basin, deepest(piece.width)
-    far = 1 / sqrt(basin.far.stiffness)
+    far = slowness(basin.far)
     if piece.low_kind == "level":
         return Delay(depth, 0, 0, far / 2, 0), NO_DELAY
-    low = Delay(depth, 1 / sqrt(basin.hill.stiffness), 0, far if basin.far_rise == 0 else 0, 0)
+    low = Delay(depth, slowness(basin.hill), 0, far if basin.far_rise == 0 else 0, 0)
     if piece.high_kind != "level":
         return low, NO_DELAY
-    ridge = 1 / sqrt(basin.axis.stiffness)
+    ridge = slowness(basin.axis)
     behind = ridge_offset(piece)
     return low, Delay(depth, 0, ridge, 0, ridge if behind > 0 else ridge / 2 if behind == 0 else 0)
+
+
+def slowness(hill):
+    """Length per unit of the logarithm of the distance from a hill; a flat one is never come near enough to count."""
+    return 1 / sqrt(hill.stiffness) if hill.stiffness > 0 else 0
 
 
 def ridge_offset(piece):
@@ -142,6 +147,8 @@ def grid(beta, eta, length, piece):
         last = 2 * slow + rounding
     elif piece.high_kind == "turn":
         last = 2 * rounding
+    elif piece.high_depth == 0:
+        last = rounding
     else:
         # The tip of a stiff rod departs from the clamp angle by half the moment there times the length squared.
         moment = abs(slope(eta, piece.clamp_rest, piece.clamp_offset)) + epsilon() ** 20
