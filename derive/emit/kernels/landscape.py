@@ -109,10 +109,8 @@ def parallel_double(beta, eta):
     softness = (eta - beta) * (eta + beta) / eta
     cosine = 2 * (beta / eta) * (beta / eta) - 1
     sine = -2 * (beta / eta) * sqrt((eta - beta) * (eta + beta)) / eta
-    first, second = (
-        Rest(quarters, side_lean, quarters * (pi / 2) + side_lean, -softness, cosine, side_sine)
-        for quarters, side_lean, side_sine in ((1, lean, sine), (3, -lean, -sine))
-    )
+    first = Rest(1, lean, pi / 2 + lean, -softness, cosine, sine)
+    second = Rest(3, -lean, 3 * (pi / 2) - lean, -softness, cosine, -sine)
     return Landscape((top, first, side, second, again), False, True)
 
 
@@ -128,10 +126,8 @@ def orthogonal_double(beta, eta):
     stiffness = (eta - beta) * (eta + beta) / eta
     cosine = 1 - 2 * (beta / eta) * (beta / eta)
     sine = -2 * (beta / eta) * sqrt((eta - beta) * (eta + beta)) / eta
-    low, high, again = (
-        Rest(quarters, side * lean, quarters * (pi / 2) + side * lean, stiffness, cosine, side * sine)
-        for quarters, side in ((0, -1), (0, 1), (4, -1))
-    )
+    low = Rest(0, -lean, -lean, stiffness, cosine, -sine)
+    high, again = Rest(0, lean, lean, stiffness, cosine, sine), low._replace(quarters=4, angle=2 * pi - lean)
     top, bottom = Rest(0, 0, 0, beta - eta, -1, 0), Rest(2, 0, pi, -beta - eta, -1, 0)
     return Landscape((low, top, high, bottom, again), True, True)
 

@@ -165,7 +165,9 @@ def above_field(eta, piece, middle, half_width, field_angle, drop, depth):
     shift = wrapped(2 * (field_angle - middle))
     offset = wrapped(middle + shift - axis.angle)
     outer, inner = sin(half_width / 2), sin(shift / 2)
-    return (height + fall(eta, axis, 0, offset)) / pick(outer * outer == inner * inner, 1, outer * outer - inner * inner)
+    return (height + fall(eta, axis, 0, offset)) / pick(
+        outer * outer == inner * inner, 1, outer * outer - inner * inner
+    )
 
 
 def wrapped(angle):

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import any_of, asin, cos, epsilon, floor, larger, pi, pick, sin, sqrt
+from derive.emit.kernels.arithmetic import any_of, asin, cos, epsilon, floor, larger, pi, pick, sin, spacing, sqrt
 from derive.emit.kernels.landscape import Landscape, Rest, offset_from
 from derive.emit.kernels.potential import fall_from_rest, moment_from_rest
 
@@ -96,7 +96,7 @@ def reach(eta, rest, amount, most, side):
         force = larger(abs(slope(eta, rest, side * near)), epsilon() ** 20)
         trial = near - 2 * here * (here - goal) / force
         trial = pick(trial > most, (near + most) / 2, pick(trial < 0, near / 2, trial))
-        moving, near = abs(trial - near) > 4 * epsilon() * near, trial
+        moving, near = abs(trial - near) > 4 * spacing(trial) * near, trial
         if not any_of(moving):
             break
     return near
@@ -113,7 +113,7 @@ def onward(eta, rest, start, amount, rough):
         force = slope(eta, rest, start + distance)
         step = (fall(eta, rest, start, distance) - amount) / pick(force == 0, 1, force)
         distance = pick(abs(distance - step) > pi, rough, distance - step)
-        if not any_of(abs(step) > 4 * epsilon() * abs(distance)):
+        if not any_of(abs(step) > 4 * spacing(distance) * abs(distance)):
             break
     return distance
 
