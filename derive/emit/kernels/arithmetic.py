@@ -33,12 +33,18 @@ __all__ = [
     "pick",
     "real",
     "sin",
+    "spacing",
     "sqrt",
 ]
 
 
 def epsilon() -> float:
     """The spacing of numbers just above 1."""
+    return 2.0**-52
+
+
+def spacing(x):
+    """The spacing of numbers just above 1, in the precision of x."""
     return 2.0**-52
 
 

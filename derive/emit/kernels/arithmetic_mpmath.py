@@ -35,6 +35,7 @@ __all__ = [
     "pick",
     "real",
     "sin",
+    "spacing",
     "sqrt",
 ]
 
@@ -52,6 +53,11 @@ def ceil(x):
 def floor(x):
     """The greatest integer that is not above x."""
     return int(mpf_floor(x))
+
+
+def spacing(x):
+    """The spacing of numbers just above 1, in the precision of x."""
+    return +eps
 
 
 def real(name, value):
