@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import ceil, epsilon, exp, inf
+from derive.emit.kernels.arithmetic import ceil, epsilon, exp
 from derive.emit.kernels.equilibria import Rod
 from derive.emit.kernels.landscape import landscape
 from derive.emit.kernels.pieces import Piece, clamp_in, pieces
@@ -29,11 +29,13 @@ class Probe(NamedTuple):
 class Mark(NamedTuple):
     """An extremum of a branch's length over the tip angle.
 
-    key: what tells it from the others of this rod: side, piece, branch, whether a maximum, and which one. height: the
-    length there over the rod's, less 1. slope: the derivative of that length by η.
+    key: what tells it from the others of this rod: side, piece, branch, whether a maximum, and which one. group: what
+    of it stays when it goes over to another piece. height: the length there over the rod's, less 1. slope: the
+    derivative of that by η.
     """
 
     key: tuple
+    group: tuple
     place: float
     height: float
     slope: float
@@ -152,7 +154,8 @@ def mark_at(rod, turns, piece, sample, key, sign, swings, before, after):
 
     place = bracketed_root(function, before.place, after.place, function(before.place), function(after.place))
     height = length_of(sample(place), sign, swings) / rod.length - 1
-    return Mark(key, place, height, slope_at(rod, piece, place, sign, swings, Change(0, 0, 1)), rod, turns, piece)
+    slope = slope_at(rod, piece, place, sign, swings, Change(0, 0, 1))
+    return Mark(key, (rod.side, sign, swings, key[-2]), place, height, slope, rod, turns, piece)
 
 
 def slope_at(rod, piece, place, sign, swings, change):
@@ -160,14 +163,3 @@ def slope_at(rod, piece, place, sign, swings, change):
     stay = stay_at(rod.beta, rod.eta, rod.field_angle, piece, delays(piece), place)
     swing, arrival = rates_of_times(rod.beta, rod.eta, rod.field_angle, stay.motion, change)
     return ((2 * swings * swing if swings else 0) + sign * arrival) / rod.length
-
-
-def nearest(found, key):
-    """The extremum of this key, or else the most alike one of its branch; None if there is none."""
-    if key in found:
-        return found[key]
-    alike = [mark for mark in found.values() if mark.key[0] == key[0] and mark.key[5:8] == key[5:8]]
-    return min(alike, key=lambda mark: abs(mark.height), default=None)
-
-
-NOWHERE = inf
