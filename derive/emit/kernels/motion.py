@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import cos, exp, floor, larger, pi, pick, sin, sqrt
+from derive.emit.kernels.arithmetic import asin, atan2, cos, exp, floor, larger, pi, pick, sin, sqrt
 from derive.emit.kernels.pieces import Piece, fall, onward, reach, slope
 
 
@@ -26,7 +26,9 @@ class Motion(NamedTuple):
     middle: float
     sine: float  # sin(half_width)
     half_cosine: float  # cos(half_width/2)
-    skew: float  # far − near over 2 sin(half_width)
+    uneven: float  # √far − √near
+    done_sine: float  # sin(done/2)
+    left_sine: float  # sin(left/2)
 
 
 def motion_at(beta, eta, field_angle, piece: Piece, place):
@@ -48,6 +50,8 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
         half_width = depth + (basin.axis.angle - well.angle)
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
         far_moment, far_distance = near_moment, from_hill
+    elif field_angle == 0 and not basin.passes:
+        half_width, left, far_moment, far_distance = parallel_side(beta, eta, piece, rise, drop, from_hill, depth)
     else:
         half_width, left, far_moment, far_distance = far_side(eta, piece, rise, drop, depth, done)
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
@@ -55,12 +59,62 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     lack = (from_hill + far_distance) / 2 if whole_turn else pi - half_width
     sine = sin(pick(lack < half_width, lack, half_width))
     near, far = 2 * near_moment / sine, 2 * far_moment / sine
-    skew = 0 if basin.even else eta * sin(2 * (tip + half_width - field_angle))
+    uneven = 0 if basin.even else unevenness(eta, field_angle, tip + half_width, sine, near, far)
+    # done/2 + left/2 = half_width: near half a turn one follows from the other.
+    done_sine = sin(pick(done > pi, lack + left / 2, done / 2))
+    left_sine = sin(pick(left > pi, lack + done / 2, left / 2))
     end, middle = rates(beta, eta, field_angle, piece, tip, half_width, sine, near, far, drop, depth)
     half_cosine = sin(lack / 2)
     return Motion(
-        tip, half_width, done, left, near_moment, far_moment, near, far, end, middle, sine, half_cosine, skew
+        tip,
+        half_width,
+        done,
+        left,
+        near_moment,
+        far_moment,
+        near,
+        far,
+        end,
+        middle,
+        sine,
+        half_cosine,
+        uneven,
+        done_sine,
+        left_sine,
     )
+
+
+def unevenness(eta, field_angle, middle, sine, near, far):
+    """√far − √near: by the roots, or by far − near = 2η sin 2(middle − α) sin(half_width) where that is less."""
+    by_turns = 2 * eta * sin(2 * (middle - field_angle)) * sine / (sqrt(near) + sqrt(far))
+    return pick(near + far < 2 * eta * sine, sqrt(far) - sqrt(near), by_turns)
+
+
+def parallel_side(beta, eta, piece, rise, drop, from_hill, depth):
+    """``far_side`` within a well for a field along the force: the cosines of the turning points add up to −2β/η."""
+    basin = piece.basin
+    if piece.low_kind == "level":
+        low, high = sin(rise / 2) * sin(piece.low_offset + rise / 2), beta / eta + cos(from_hill / 2) ** 2
+    else:
+        low = sin(rise / 2) ** 2
+        low, high = beta / eta + low, (eta - beta) / eta - low
+    # sin² and cos² of half the distance from the far turning point to the far hill.
+    low, high = sqrt(larger(low, 0)), sqrt(larger(high, 0))
+    distance = 2 * atan2(low, high)
+    down = basin.far.angle - basin.far_well.angle
+    dip = sin(from_hill + depth / 2) * sin(depth / 2)
+    up = 2 * asin(within(dip / sin((down + distance) / 2)))
+    if piece.high_kind == "turn":
+        share = sin(from_hill + drop / 2) * sin(drop / 2) / sin((piece.far_gap + distance) / 2)
+        left = 2 * asin(within(share))
+    else:
+        left = up + piece.high_depth
+    return (up + depth) / 2, left, 4 * eta * dip * low * high, distance
+
+
+def within(sine):
+    """A sine that rounding may have brought beyond 1."""
+    return pick(sine < 1, sine, 1)
 
 
 def far_side(eta, piece, rise, drop, depth, done):
@@ -123,10 +177,8 @@ def rates(beta, eta, field_angle, piece, tip, half_width, sine, near, far, drop,
     apart = mean - eta
     close = above_field(eta, piece, middle, half_width, field_angle, drop, depth)
     apart = pick(apart > 0.1 * eta, apart, close)
-    together = product + excess
-    split = sine * sine * apart * (mean + eta) / pick(excess < 0, product - excess, 1)
-    square = pick(excess < 0, split, together) / 4
-    return sqrt(product / 2), sqrt(larger(square, 0))
+    split = sine * sqrt(larger(apart * (mean + eta), 0) / pick(excess < 0, product - excess, 1))
+    return sqrt(product / 2), pick(excess < 0, split, sqrt(product + larger(excess, 0))) / 2
 
 
 def above_field(eta, piece, middle, half_width, field_angle, drop, depth):

@@ -128,10 +128,11 @@ def pieces(beta, eta, field_angle, scene, clamp):
     if len(rests) == 3:
         even = eta == 0 or field_angle == 0 or field_angle == pi / 2
         return in_basin(eta, local_basin(rests, 0, 0, even), at)
-    if scene.level:
+    drop = 0 if scene.level else ridge_fall(beta, eta, field_angle, rests[0], rests[2])
+    # A ridge lower by less than this would be passed only from within its square root of the hill.
+    if drop <= epsilon() ** 17 * (beta + eta):
         first = 0 if at[2] < 0 else 2
         return in_basin(eta, local_basin(rests, first, 0, True), at[first:])
-    drop = ridge_fall(beta, eta, field_angle, rests[0], rests[2])
     level = reach(eta, rests[0], drop, rests[1].angle - rests[0].angle, 1)
     over = Basin(rests[0], rests[1], rests[4], rests[3], rests[2], 0, True, field_angle == 0)
     if at[2] <= 0:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import ceil, deepest, epsilon, floor, inf, log, sqrt
+from derive.emit.kernels.arithmetic import ceil, deepest, epsilon, floor, inf, log, pi, sqrt
 from derive.emit.kernels.motion import Motion, motion_at
 from derive.emit.kernels.pieces import slope
 from derive.emit.kernels.swing import times
@@ -62,15 +62,20 @@ class Stay(NamedTuple):
 def delays(piece):
     """The delays at both ends, beyond the depth at which squares of offsets would underflow."""
     basin, depth = piece.basin, deepest(piece.width)
-    far = 1 / sqrt(basin.far.stiffness)
+    far = slowness(basin.far)
     if piece.low_kind == "level":
         return Delay(depth, 0, 0, far / 2, 0), NO_DELAY
-    low = Delay(depth, 1 / sqrt(basin.hill.stiffness), 0, far if basin.far_rise == 0 else 0, 0)
+    low = Delay(depth, slowness(basin.hill), 0, far if basin.far_rise == 0 else 0, 0)
     if piece.high_kind != "level":
         return low, NO_DELAY
-    ridge = 1 / sqrt(basin.axis.stiffness)
+    ridge = slowness(basin.axis)
     behind = ridge_offset(piece)
     return low, Delay(depth, 0, ridge, 0, ridge if behind > 0 else ridge / 2 if behind == 0 else 0)
+
+
+def slowness(hill):
+    """Length per unit of the logarithm of the distance from a hill; a flat one is never come near enough to count."""
+    return 1 / sqrt(hill.stiffness) if hill.stiffness > 0 else 0
 
 
 def ridge_offset(piece):
@@ -103,12 +108,14 @@ def crossings(beta, eta, field_angle, length, piece, most):
     def sample(place):
         return sample_at(beta, eta, field_angle, piece, ends, place)
 
+    # No half-swing is shorter than that of the stiffest pendulum.
+    signs = (1,) if length * sqrt(beta + eta) < pi else (1, -1)
     samples = refined(sample, [sample(place) for place in grid(beta, eta, length, piece)], length)
     end = end_sample(piece, samples[-1])
     if end is not None:
         samples.append(end)
     found = []
-    for sign in (1, -1):
+    for sign in signs:
         counts = [(length - sign * item.arrival) / (2 * item.swing) for item in samples]
         for turns, before, after in brackets(sample, samples, counts, length, sign):
             # At least 2·turns − 1 conjugate points, or one more on the branch that has gone on.
@@ -129,7 +136,8 @@ def crossing(sample, turns, sign, length, before, after):
         return excess(sample(place), turns, sign, length)
 
     low, high = excess(before, turns, sign, length), excess(after, turns, sign, length)
-    return Crossing(bracketed_root(function, before.place, after.place, low, high), turns, sign, high > low)
+    place = bracketed_root(function, before.place, after.place, low, high, epsilon() * length)
+    return Crossing(place, turns, sign, high > low)
 
 
 def grid(beta, eta, length, piece):
@@ -142,33 +150,32 @@ def grid(beta, eta, length, piece):
         last = 2 * slow + rounding
     elif piece.high_kind == "turn":
         last = 2 * rounding
+    elif piece.high_depth == 0:
+        last = rounding
     else:
         # The tip of a stiff rod departs from the clamp angle by half the moment there times the length squared.
         moment = abs(slope(eta, piece.clamp_rest, piece.clamp_offset)) + epsilon() ** 20
         last = max(rounding, 4 + log(2 * piece.width) - log(moment) - 2 * log(length))
     inner = [0.0]
     for side, end in ((-1, -first), (1, last)):
-        place, step = 0.0, 0.75
-        while True:
-            place += step
-            step *= 1.25
-            if place >= end:
-                break
+        place = 1.25
+        while place < end:
             inner.append(side * place)
+            place *= 2
         inner.append(side * end)
     return sorted(inner)
 
 
 def refined(sample, samples, length):
-    """More samples where half-swing or arrival bend between neighbours."""
+    """More samples where half-swing or arrival bend between neighbours, as far as the rod's length is sensitive."""
     done, todo = [samples[0]], samples[:0:-1]
     while todo:
         before, after = done[-1], todo[-1]
-        if after.place - before.place > 1.5 and len(done) > 1 and bends(done[-2], before, after, length):
+        apart = after.place - before.place > 1.3
+        beside = [(done[-2], before, after)] if len(done) > 1 else []
+        beside += [(before, after, todo[-2])] if len(todo) > 1 else []
+        if apart and any(bends(*triple, length) for triple in beside):
             todo.append(sample((before.place + after.place) / 2))
-        elif after.place - before.place > 1.5 and len(todo) > 1 and bends(before, after, todo[-2], length):
-            middle = sample((before.place + after.place) / 2)
-            todo.append(middle)
         else:
             done.append(todo.pop())
     return done
@@ -177,11 +184,11 @@ def refined(sample, samples, length):
 def bends(first, second, third, length):
     """Whether a straight line through two samples misses the third by more than a little of what counts."""
     share = (third.place - second.place) / (second.place - first.place)
-    for name in (1, 2):
-        miss = abs(third[name] - second[name] - share * (second[name] - first[name]))
-        if miss > 0.1 * (third[name] + second[name]):
-            return True
-    return False
+    swing = third.swing - second.swing - share * (second.swing - first.swing)
+    arrival = third.arrival - second.arrival - share * (second.arrival - first.arrival)
+    shortest = min(first.swing, second.swing, third.swing)
+    miss = abs(arrival) + (length / shortest * abs(swing) if length > shortest else 0)
+    return miss > 0.25 * length
 
 
 def end_sample(piece, last):
@@ -253,9 +260,12 @@ def dip(sample, short, left, middle, right):
     return middle
 
 
-def bracketed_root(function, a, b, value_a, value_b):
-    """A sign change of the function between a and b, to rounding, by Chandrupatla's method (1997)."""
-    fraction = 0.5
+def bracketed_root(function, a, b, value_a, value_b, blur):
+    """A sign change of the function between a and b, to rounding, by Chandrupatla's method (1997).
+
+    blur: a value that rounding may have made of zero.
+    """
+    fraction = min(0.9, max(0.1, value_a / (value_a - value_b)))
     while True:
         trial = a + fraction * (b - a)
         value = function(trial)
@@ -266,7 +276,7 @@ def bracketed_root(function, a, b, value_a, value_b):
         a, value_a = trial, value
         best, value_best = (a, value_a) if abs(value_a) < abs(value_b) else (b, value_b)
         least = 2 * epsilon() * (1 + abs(best)) / abs(b - a)
-        if least > 0.5 or value_best == 0:
+        if least > 0.5 or abs(value_best) <= blur:
             return best
         fraction = min(1 - least, max(least, interpolated(a, b, c, value_a, value_b, value_c)))
 
