@@ -152,7 +152,7 @@ def mark_at(rod, turns, piece, sample, key, sign, swings, before, after):
         item = sample(place)
         return (2 * swings * item.swing_rate if swings else 0) + sign * item.arrival_rate
 
-    place = bracketed_root(function, before.place, after.place, function(before.place), function(after.place))
+    place = bracketed_root(function, before.place, after.place, function(before.place), function(after.place), 0)
     height = length_of(sample(place), sign, swings) / rod.length - 1
     slope = slope_at(rod, piece, place, sign, swings, Change(0, 0, 1))
     return Mark(key, (rod.side, sign, swings, key[-2]), place, height, slope, rod, turns, piece)

@@ -122,8 +122,8 @@ def pitchforks(beta, length, clamp_angle, field, scale, places):
     rests = [straight_at(beta, eta, clamp_angle, field) for eta in (places[0], places[len(places) // 2], places[-1])]
     if any(rest is None for rest in rests):
         return []
-    cosine, sine = direction(rests[0])
-    force, facing = beta * cosine, 1 if rests[0].double_cosine > 0 else -1
+    cosine, sine = direction(rests[-1])
+    force, facing = beta * cosine, 1 if rests[-1].double_cosine > 0 else -1
     found, index = [], 0
     while index <= length * sqrt(beta + places[-1]) / pi:
         wave = (index + 0.5) * pi / length
@@ -193,7 +193,7 @@ def level_point(at, name, low, high):
         return at(eta, name)[name].slope
 
     try:
-        eta = bracketed_root(function, low.place, high.place, low.values[name].slope, high.values[name].slope)
+        eta = bracketed_root(function, low.place, high.place, low.values[name].slope, high.values[name].slope, 0)
         return at(eta, name)[name]
     except KeyError:
         return None

@@ -140,6 +140,6 @@ def root(values_at, bracket):
         return values_at(place, bracket.key)[bracket.key].height
 
     try:
-        return bracketed_root(function, *bracket[1:])
+        return bracketed_root(function, *bracket[1:], 0)
     except KeyError:
         return None

@@ -46,13 +46,13 @@ def rates_of_times(beta, eta, field_angle, motion, change):
     across = sqrt(square * rest)
     # ψ moves against χ: sin²ψ = a(1 − cos χ)/(a + Δ_χ). Δ_χ − a cos χ without cancellation:
     forth = (a + phase.delta) * rest
-    done, left = sqrt(motion.far) * sin(motion.done / 2), sqrt(motion.near) * sin(motion.left / 2)
+    done, left = sqrt(motion.far) * motion.done_sine, sqrt(motion.near) * motion.left_sine
     sine_chi = 2 * sqrt(done * left) / phase.whole
     first = forth >= phase.delta
     behind = pick(first, (b * sine_chi) * (b * sine_chi) / pick(first, forth, 1), 2 * phase.delta - forth)
     moved = across * behind * (numbers.end - numbers.middle) / (2 * phase.delta * speed)
-    near_cot = cos(motion.done / 2) / sin(motion.done / 2) * change.tip
-    far_cot = cos(motion.left / 2) / sin(motion.left / 2) * numbers.turn
+    near_cot = cos(motion.done / 2) / motion.done_sine * change.tip
+    far_cot = cos(motion.left / 2) / motion.left_sine * numbers.turn
     clamped = sine_chi * (numbers.ratio - near_cot - far_cot) / (4 * phase.delta)
     edge = across / speed
     swing_rate = -all_sine * numbers.end - (swing - all_sine) * numbers.middle
@@ -97,8 +97,8 @@ def changes_of_numbers(beta, eta, field_angle, motion, change):
 def change_of_ratio(beta, eta, field_angle, motion, change, d_turn):
     """The derivative of log(far/near); d_turn: of the far turning point by the loads alone.
 
-    What the tip does to it is put by the condition of turning pairs (see ``skew``), for where the motion is nearly a
-    whole turn both logarithms change much and alike.
+    What the tip does to it is put by the condition of turning pairs, by which far − near is 2η sin 2(middle − α) times
+    sin(half_width): where the motion is nearly a whole turn both logarithms change much and alike.
     """
     tip, near, far = motion.tip, motion.near, motion.far
     turn = tip + 2 * motion.half_width
@@ -106,7 +106,8 @@ def change_of_ratio(beta, eta, field_angle, motion, change, d_turn):
     by_tip = 6 * cos(motion.half_width) * near * near + 4 * stiffness * (near + far)
     by_near = moment_rate(beta, eta, field_angle, tip, 0, change) / motion.near_moment
     by_far = moment_rate(beta, eta, field_angle, turn, d_turn, change) / motion.far_moment
-    return -by_tip * motion.skew / (near * far * far) * change.tip - by_far - by_near
+    skew = motion.uneven * (sqrt(near) + sqrt(far)) / (2 * motion.sine)
+    return -by_tip * skew / (near * far * far) * change.tip - by_far - by_near
 
 
 def moment_rate(beta, eta, field_angle, angle, d_angle, change):
