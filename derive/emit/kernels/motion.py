@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import asin, atan2, cos, exp, floor, larger, pi, pick, sin, sqrt
+from derive.emit.kernels.arithmetic import asin, atan2, cos, exp, floor, larger, pi, pick, sin, spacing, sqrt
 from derive.emit.kernels.pieces import Piece, fall, onward, reach, slope
-from derive.emit.kernels.potential import moment_from_rest
+from derive.emit.kernels.potential import fall_from_rest, moment_from_rest
 
 
 class Motion(NamedTuple):
@@ -45,6 +45,9 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     double_sine = pick(upper, hill.double_sine, well.double_sine)
     tip = pick(upper, hill.angle, well.angle) + offset
     near_moment = moment_from_rest(eta, stiffness, double_cosine, double_sine, offset)
+    # How far V falls from the tip to the well, or to the level of a ridge that the motion passes.
+    change = (drop + piece.level_gap if basin.passes else depth) / 2
+    height = fall_from_rest(eta, stiffness, double_cosine, double_sine, offset + change, change)
     done = piece.clamp_gap + drop
     if basin.even:
         half_width = depth + (basin.axis.angle - well.angle)
@@ -63,7 +66,7 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     # done/2 + left/2 = half_width: near half a turn one follows from the other.
     done_sine = sin(pick(done > pi, lack + left / 2, done / 2))
     left_sine = sin(pick(left > pi, lack + done / 2, left / 2))
-    end, middle = rates(beta, eta, field_angle, piece, tip, half_width, sine, near, far, drop, depth)
+    end, middle = rates(beta, eta, field_angle, basin, tip, half_width, sine, near, far, height)
     half_cosine = sin(lack / 2)
     return Motion(
         tip,
@@ -167,7 +170,7 @@ def beyond_clamp(eta, piece, drop, rough):
     return pick(rough > 0.25 * abs(start), rough, onward(eta, rest, start, -amount, rough))
 
 
-def rates(beta, eta, field_angle, piece, tip, half_width, sine, near, far, drop, depth):
+def rates(beta, eta, field_angle, basin, tip, half_width, sine, near, far, height):
     """dχ/dσ at the ends and in the middle of the motion."""
     middle, cosine = tip + half_width, cos(half_width)
     double = 2 * (middle - field_angle)
@@ -175,24 +178,20 @@ def rates(beta, eta, field_angle, piece, tip, half_width, sine, near, far, drop,
     excess = -(2 * beta * cos(middle) * cosine + eta * cos(double) * (1 + cosine * cosine))
     mean = -(2 * beta * cos(middle) + eta * cosine * cos(double))
     apart = mean - eta
-    close = above_field(eta, piece, middle, half_width, field_angle, drop, depth)
+    close = above_field(eta, basin, middle, half_width, field_angle, height)
     apart = pick(apart > 0.1 * eta, apart, close)
     split = sine * sqrt(larger(apart * (mean + eta), 0) / pick(excess < 0, product - excess, 1))
     return sqrt(product / 2), pick(excess < 0, split, sqrt(product + larger(excess, 0))) / 2
 
 
-def above_field(eta, piece, middle, half_width, field_angle, drop, depth):
+def above_field(eta, basin, middle, half_width, field_angle, height):
     """``mean`` less η where they are near each other: 2(V(tip) − V)/(cos(θ − middle) − cos(half_width)) at the θ at
     which it is least, which lies then near the ridge or the well."""
-    basin = piece.basin
-    well, axis = basin.well, basin.axis
-    if basin.passes:
-        high = -piece.high_depth
-        height = fall(eta, well, high - drop, drop + piece.level_gap)
-    else:
-        height = fall(eta, well, -depth, depth)
+    axis = basin.axis
     shift = wrapped(2 * (field_angle - middle))
     offset = wrapped(middle + shift - axis.angle)
+    # As near the ridge as rounding it is nearer still: it is there to the second order in the height.
+    offset = pick(abs(offset) < 32 * spacing(offset), 0, offset)
     outer, inner = sin(half_width / 2), sin(shift / 2)
     return (height + fall(eta, axis, 0, offset)) / pick(
         outer * outer == inner * inner, 1, outer * outer - inner * inner
