@@ -21,15 +21,10 @@ from dataclasses import dataclass
 from operator import index
 from typing import Any, NamedTuple
 
-from mpmath import asin, atan2, cos, eps, exp, isfinite, log, mp, mpf, pi, sin, sqrt, workdps
-from mpmath import asinh as each_asinh
-from mpmath import atan2 as each_atan2
+from mpmath import asin, asinh, atan2, cos, eps, exp, isfinite, log, mp, mpf, pi, sin, sqrt, workdps
 from mpmath import ceil as mpf_ceil
-from mpmath import cos as each_cos
 from mpmath import floor as each_floor
 from mpmath import floor as mpf_floor
-from mpmath import sin as each_sin
-from mpmath import sqrt as each_sqrt
 
 __all__ = ["Equilibrium", "Shape", "Sweep", "equilibria", "shape", "sweep"]
 
@@ -134,10 +129,10 @@ def each_where(condition, yes, no):
 
 def rc_between(x, y, gap):
     """R_C(x, y) with y − x = gap given: an inverse tangent or its hyperbolic sister (DLMF 19.2.18, 19.2.19)."""
-    width = each_sqrt(each_where(gap == 0, y, each_abs(gap)))
-    circular = each_atan2(width, each_sqrt(x)) / width
-    hyperbolic = each_asinh(width / each_sqrt(y)) / width
-    return each_where(gap == 0, 1 / each_sqrt(y), each_where(gap > 0, circular, hyperbolic))
+    width = sqrt(each_where(gap == 0, y, each_abs(gap)))
+    circular = atan2(width, sqrt(x)) / width
+    hyperbolic = asinh(width / sqrt(y)) / width
+    return each_where(gap == 0, 1 / sqrt(y), each_where(gap > 0, circular, hyperbolic))
 
 
 def spread_series(a, b, c, d, e):
@@ -165,7 +160,7 @@ def rj(x, y, z, p):
     scale, total = 1, 0 * mean
     gaps = (p - x, p - y, p - z)
     while largest(spread / mean) > target * scale:
-        root_x, root_y, root_z, root_p = each_sqrt(x), each_sqrt(y), each_sqrt(z), each_sqrt(p)
+        root_x, root_y, root_z, root_p = sqrt(x), sqrt(y), sqrt(z), sqrt(p)
         shift = root_x * root_y + root_x * root_z + root_y * root_z
         d_x, d_y, d_z = root_p + root_x, root_p + root_y, root_p + root_z
         e = gaps[0] / (scale * d_x * d_x) * (gaps[1] / (scale * d_y * d_y)) * (gaps[2] / (scale * d_z * d_z))
@@ -177,7 +172,7 @@ def rj(x, y, z, p):
         scale *= 4
     a, b, c = a / (scale * mean), b / (scale * mean), c / (scale * mean)
     d = -(a + b + c) / 2
-    return (1 + spread_series(a, b, c, d, d)) / (scale * mean * each_sqrt(mean)) + 6 * total
+    return (1 + spread_series(a, b, c, d, d)) / (scale * mean * sqrt(mean)) + 6 * total
 
 
 def rc(x, y):
@@ -193,14 +188,14 @@ def rd(x, y, z):
     target = (epsilon() / 4) ** 0.125
     scale, total = 1, 0 * mean
     while largest(spread / mean) > target * scale:
-        root_x, root_y, root_z = each_sqrt(x), each_sqrt(y), each_sqrt(z)
+        root_x, root_y, root_z = sqrt(x), sqrt(y), sqrt(z)
         shift = root_x * root_y + root_x * root_z + root_y * root_z
         total = total + 1 / (scale * root_z * (z + shift))
         x, y, z, mean = (x + shift) / 4, (y + shift) / 4, (z + shift) / 4, (mean + shift) / 4
         scale *= 4
     a, b = a / (scale * mean), b / (scale * mean)
     c = -(a + b) / 3
-    return (1 + spread_series(a, b, c, c, c)) / (scale * mean * each_sqrt(mean)) + 3 * total
+    return (1 + spread_series(a, b, c, c, c)) / (scale * mean * sqrt(mean)) + 3 * total
 
 
 def root_ratios(steps, u):
@@ -211,16 +206,16 @@ def root_ratios(steps, u):
     precision where it is exponentially small; near u = 0, where its distance from 1 counts, it follows from sn.
     """
     mean = steps[-1][0]
-    r, c = each_sin(mean * u) / mean, each_cos(mean * u)
+    r, c = sin(mean * u) / mean, cos(mean * u)
     for (a, b), (a_next, _) in zip(steps[-2::-1], steps[:0:-1], strict=True):
         half_gap = (a - b) / 2
         below = c * c / (1 + a_next * r) + b * r
         scale = 1 + a_next * half_gap * r * r
-        r, c = r / scale, c * each_sqrt(below * (1 + half_gap * r)) / scale
+        r, c = r / scale, c * sqrt(below * (1 + half_gap * r)) / scale
         sine = a * r
-        c = each_where(sine < mpf("0.7"), each_sqrt((1 + sine) * each_max(1 - sine, 0)), c)
+        c = each_where(sine < mpf("0.7"), sqrt((1 + sine) * each_max(1 - sine, 0)), c)
     b = steps[0][1]
-    return r, c, each_sqrt(c * c + b * b * r * r)
+    return r, c, sqrt(c * c + b * b * r * r)
 
 
 # Formulas, as derived
@@ -1033,7 +1028,7 @@ def from_tip(eta, tip, sigma):
     xi_tip = (tip.half_cosine - tip.half_sine) * (tip.half_cosine + tip.half_sine)
     y = xi_tip * sigma + 2 * waves * (whole.y - xi_tip * half) + side * y
     z = flip * side * z + (0 if passes else 2 * waves * whole.z)
-    return 2 * each_atan2(up, across), turning, y, z
+    return 2 * atan2(up, across), turning, y, z
 
 
 def angle_and_position(equilibrium, s):

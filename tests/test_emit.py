@@ -185,6 +185,37 @@ def test_import_time_work_is_refused():
         emitted(kernels={"search": SAMPLE["search"] + "\nprint(1)\n"})
 
 
+@pytest.mark.parametrize("backend", ["numpy", "mpmath"])
+def test_a_constant_record_is_written_where_it_is_used(backend):
+    """Constants stand before classes: one that is built by a class would not be found there."""
+    search = SAMPLE["search"].replace("def solve", "NONE = Rod(0, 0, 1)\n\n\ndef solve")
+    search = search.replace("total = drive * drive", "total = NONE.length - 1 + drive * drive")
+    module = emitted(backend=backend, kernels={"search": search})
+    assert "Rod(0, 0, 1).length" in module.text
+    rod = (0.7, 1.3, 2.5, 2.1)
+    (got,), (expected,) = (load(one.text).equilibria(*rod) for one in (module, emitted(backend=backend)))
+    assert float(got.value) == pytest.approx(float(expected.value), rel=1e-15)
+
+
+@pytest.mark.parametrize("backend", ["numpy", "mpmath"])
+def test_one_name_of_two_modules_keeps_its_alias(backend):
+    """log and a complex log beside each other; in mpmath both are the same function."""
+    files = {
+        "arithmetic": SAMPLE["arithmetic"].replace(
+            "from math import cos", "from cmath import log as c_log\nfrom math import cos, log"
+        ),
+        "arithmetic_mpmath": SAMPLE["arithmetic_mpmath"].replace("import cos,", "import cos, log, log as c_log,"),
+        "search": SAMPLE["search"]
+        .replace("import cos, pi", "import c_log, cos, log, pi")
+        .replace("total = drive", "total = log(2) - abs(c_log(2)) + drive"),
+    }
+    module = emitted(backend=backend, kernels=files)
+    check_names(module.text, module.path, backend)
+    assert ("c_log" in module.text) == (backend == "numpy")
+    (got,), (expected,) = (load(one.text).equilibria(0.7, 1.3, 2.5, 2.1) for one in (module, emitted(backend=backend)))
+    assert float(got.value) == pytest.approx(float(expected.value), rel=1e-14)
+
+
 # The mpmath twin
 
 

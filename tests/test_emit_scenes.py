@@ -258,7 +258,8 @@ def both(rod, angle):
 def turned(beta, eta, field_angle, length, angle):
     """The moment and a little of everything."""
     tilt = cos(field_angle) if eta > 0 else 1
-    return moment(beta, eta, field_angle, angle) * length + tilt * sqrt(beta + eta + length)
+    clamp_angle = ldexp(angle, 1)
+    return moment(beta, eta, field_angle, clamp_angle) * length + tilt * sqrt(beta + eta + length)
 
 
 def motion_each(beta, eta, field_angle, angle):

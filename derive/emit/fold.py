@@ -140,7 +140,7 @@ class _Folder(ast.NodeTransformer):
             if not isinstance(value, Exact):
                 kept.append(value)
             elif bool(truth(value)) == absorbing:
-                if not kept:
+                if all(map(_looks, kept)):
                     return exact(absorbing, node)
                 kept.append(exact(absorbing, value))
                 break
@@ -166,6 +166,11 @@ def fold(node: Any, values: Mapping[str, Any], fields: Mapping[str, Any], module
 def fold_inside(node: Any, values: Mapping[str, Any], calls: Mapping[str, Any], modules: Collection[str]) -> None:
     """The same for the children of ``node``, in place."""
     _Folder(values, calls, modules).generic_visit(node)
+
+
+def _looks(node: ast.expr) -> bool:
+    """Whether an expression is a comparison that calls nothing, so that it is True or False and can be left out."""
+    return isinstance(node, ast.Compare) and not any(isinstance(n, (ast.Call, ast.NamedExpr)) for n in ast.walk(node))
 
 
 def _identity(node: ast.BinOp, a: Any, b: Any) -> ast.expr:

@@ -115,12 +115,13 @@ class KernelFiles:
         self.scalar = {file: stem for stem, file in {**instances, FORMULAS[0]: FORMULAS[1]}.items()}
         self.files = {stem: parse_kernel(stem, text) for stem, text in sorted(sources.items())}
 
-        others = tuple(f"_{name}" for name in BACKENDS if name != backend)
-        # From which modules each name is imported that is not written with its module.
+        # From which modules each name is imported in this backend that is not written with its module.
         self.modules: dict[str, set[str]] = {}
-        for stem, kernel in self.files.items():
-            for origin in kernel.imports.values():
-                if isinstance(origin, External) and origin.name and not origin.qualified and not stem.endswith(others):
+        others = tuple(f"_{name}" for name in BACKENDS if name != backend)
+        for stem in (stem for stem in self.files if not stem.endswith(others)):
+            for local, origin in self.files[stem].imports.items():
+                outside = isinstance(origin, External) and self.lookup(self.base(stem), local) == origin
+                if isinstance(origin, External) and outside and origin.name and not origin.qualified:
                     self.modules.setdefault(origin.name, set()).add(origin.module)
 
     def instance(self, file: str, name: str) -> tuple[str, str]:

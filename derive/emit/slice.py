@@ -79,12 +79,12 @@ class Slicer:
     def constants(self, piece: Piece) -> dict[str, Expr]:
         """The folded constants that names in a piece stand for: all but parameters that are given something else.
 
-        kept: such parameters and fields, (function or record, name). A field is kept in all records, and so are
-        variables of its name that a function takes from somewhere.
+        kept: such parameters and fields, (function or record, name). Where a record keeps a field, variables of its
+        name that a function takes from somewhere are kept too.
         """
         own = {name for owner, name in self.kept if owner == piece.name}
         stored = {n.id for n in ast.walk(piece.node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
-        own |= self.kept_fields() & (self.kept_fields() if piece.kind == "class" else stored)
+        own |= self.kept_fields() & (stored - set(piece.parameters)) if piece.kind != "class" else set()
         return {name: value for name, value in self.folded.items() if name not in own}
 
     def kept_fields(self) -> set[str]:

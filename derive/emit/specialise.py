@@ -13,7 +13,7 @@ from typing import Any
 from derive.emit.backends import MODULE_ALIASES, External
 from derive.emit.carried import drop_carried
 from derive.emit.drop import drop_parameters
-from derive.emit.errors import EmitError
+from derive.emit.errors import DifferentValueError, EmitError
 from derive.emit.fold import fold, fold_inside
 from derive.emit.folded_calls import drop_folded, fix_formulas
 from derive.emit.pieces import Piece, bound_names
@@ -88,8 +88,12 @@ def _fold(slicer: Slicer, piece: Piece) -> None:
     modules = {name for name, origin in piece.names.items() if isinstance(origin, External) and origin.name is None}
     # A folded name that the function assigns (eta = float(eta)) is swept before its loads are replaced.
     assigned = bound_names(piece.node) & set(values)
-    if assigned:
-        piece.node = sweep(piece.node, assigned, _pure(pieces), f"kernels/{piece.file}.py ({piece.name})", strict=True)
+    for name in sorted(assigned):
+        place = f"kernels/{piece.file}.py ({piece.name})"
+        try:
+            piece.node = sweep(piece.node, {name}, _pure(pieces), place, strict=True)
+        except EmitError as error:  # the name stands for something else here
+            raise DifferentValueError(str(error), [(piece.name, name)]) from error
     piece.node = fold(piece.node, values, fields, modules | set(MODULE_ALIASES.values()))
 
 

@@ -7,7 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from derive.emit.kernels.arguments import all_real, index_limit, many_rods, one_rod, refuse
+from derive.emit.kernels.arguments import all_real, index_limit, many_rods, not_negative, positive, refuse
+from derive.emit.kernels.arithmetic import real
 from derive.emit.kernels.equilibria import Equilibrium, all_equilibria, length_of
 from derive.emit.kernels.literal import angle_and_position_literally
 from derive.emit.kernels.shapes import angle_and_position
@@ -49,8 +50,9 @@ def equilibria(beta, eta, length, clamp_angle, field_angle, *, max_index=None) -
 
     All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """
-    rod, limit = one_rod(beta, eta, length, clamp_angle, field_angle), index_limit(max_index)
-    return all_equilibria(rod.beta, rod.eta, rod.length, rod.clamp_angle, rod.field_angle, limit)
+    beta, eta, length = not_negative("beta", beta), not_negative("eta", eta), positive("length", length)
+    clamp_angle, field_angle = real("clamp_angle", clamp_angle), real("field_angle", field_angle)
+    return all_equilibria(beta, eta, length, clamp_angle, field_angle, index_limit(max_index))
 
 
 def shape(equilibrium: Equilibrium, s) -> Shape:

@@ -11,24 +11,13 @@ from derive.emit.kernels.arithmetic import real
 
 
 class Given(NamedTuple):
-    """The parameters of a rod as numbers, or of many as arrays of one length."""
+    """The parameters of many rods, as arrays of one length."""
 
     beta: Any
     eta: Any
     length: Any
     clamp_angle: Any
     field_angle: Any
-
-
-def one_rod(beta, eta, length, clamp_angle, field_angle):
-    """The parameters of one rod as numbers; TypeError or ValueError names the first that cannot be."""
-    return Given(
-        not_negative("beta", beta),
-        not_negative("eta", eta),
-        positive("length", length),
-        real("clamp_angle", clamp_angle),
-        real("field_angle", field_angle),
-    )
 
 
 def many_rods(beta, eta, length, clamp_angle, field_angle):
