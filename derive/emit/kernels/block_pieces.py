@@ -22,7 +22,13 @@ from derive.emit.kernels.landscape_each import (
     parallel_double_each,
     parallel_single_each,
 )
-from derive.emit.kernels.pieces_each import clamp_in_each, level_ground_each, ranges_each, ridge_fall_each, ridge_ground_each
+from derive.emit.kernels.pieces_each import (
+    clamp_in_each,
+    level_ground_each,
+    ranges_each,
+    ridge_fall_each,
+    ridge_ground_each,
+)
 
 
 class Rods(NamedTuple):
