@@ -16,13 +16,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from sympy import Integer, Rational, pi, sqrt, symbols
 
+from derive.emit.committed import formulas_text
 from derive.emit.constants import parse_constant
 from derive.emit.errors import EmitError, SceneError
-from derive.emit.module import emit_kernel_formulas, emit_module
+from derive.emit.module import emit_module
 from derive.emit.printer import formula_function
 from derive.emit.proof import check_names, prove_formulas
 from derive.emit.scene import load_scene, parse_scene
-from derive.emit.style import wrap
+from derive.emit.style import expression, wrap
 from derive.measure.loading import load
 from derive.resources import shipped_scenes
 from derive.theory.claims import Formula
@@ -58,7 +59,7 @@ def test_shipped_scenes_are_read():
     [
         (HEAD.replace("case", "caze"), 3, "possible: backends, case, name, outputs, title"),
         (HEAD.replace('"parallel"', '"paralel"'), 3, "did you mean 'parallel'"),
-        (HEAD.replace('"shape"', '"shapes"'), 4, "possible: equilibria, literal, shape, sweep"),
+        (HEAD.replace('"shape"', '"shapes"'), 4, "possible: equilibria, folds, literal, shape, sweep"),
         (HEAD + 'backends = ["fortran"]\n', 5, "possible: mpmath, numpy"),
         (HEAD + "title = 3\n", 5, "must be a string"),
         (HEAD + "[constants]\nlenght = 80\n", 6, "did you mean 'length'"),
@@ -152,9 +153,8 @@ def test_checks_of_arguments_survive_folding():
     ("old", "new", "says"),
     [
         ("root_other(eta, 1 + xi, 1 - xi)", "cos_bottom(beta, eta)", "cos_bottom, which the load case does not have"),
-        ("rod = Rod(beta, eta, real", "rod = Rod(beta, beta, real", "something else than the folded eta"),
-        ("return level(beta, eta)", "return level(*[beta, eta])", "write them out"),
-        ("level(beta, eta) *", "max(map(level, [beta], [eta])) *", "passed on as a value"),
+        ("total = drive", "total = level(*[beta, eta]) + drive", "write them out"),
+        ("total = drive", "total = max(map(level, [beta], [eta])) + drive", "passed on as a value"),
     ],
 )
 def test_kernels_that_cannot_be_folded_are_refused(old, new, says):
@@ -271,9 +271,7 @@ def random_expressions():
 def test_printed_formulas_read_back(expression, common):
     formula = Formula("f", RANDOM, expression, "test.f", "Random")
     text = ast.unparse(ast.fix_missing_locations(formula_function(formula, common=common)))
-    head = (
-        "from derive.emit.kernels.array_arithmetic import each_sqrt\nfrom derive.emit.kernels.carlson import rf, rc\n"
-    )
+    head = "from derive.emit.kernels.arithmetic import sqrt\nfrom derive.emit.kernels.carlson import rf, rc\n"
     (proof,) = prove_formulas(f"{head}\n{text}", [formula], "text.py")
     assert proof.method
 
@@ -329,7 +327,7 @@ def test_equal_but_rewritten_text_is_proved():
 
 
 def test_kernel_formulas_are_emitted():
-    text = emit_kernel_formulas(THEORY)
+    text = formulas_text(THEORY)
     general = [formula for formula in FORMULAS if formula.case == "parallel"]
     assert len(prove_formulas(text, general, "formulas.py")) == len(general)
     assert "rj(x_plus, x_minus, x_other, x_other + 0.25 * eta * plus * minus)" in text
@@ -347,10 +345,11 @@ def test_common_subexpressions_on_request():
 def test_same_bytes_for_every_hash_seed():
     script = (
         "from emit_standin import THEORY, SAMPLE\n"
-        "from derive.emit.module import emit_module, emit_kernel_formulas\n"
+        "from derive.emit.committed import formulas_text\n"
+        "from derive.emit.module import emit_module\n"
         "from derive.emit.scene import parse_scene\n"
         "import hashlib\n"
-        "text = emit_kernel_formulas(THEORY)\n"
+        "text = formulas_text(THEORY)\n"
         "for case in ('parallel', 'force_only'):\n"
         "    for backend in ('numpy', 'mpmath'):\n"
         '        scene = parse_scene(f\'[scene]\\nname="x"\\ncase="{case}"\\noutputs=["equilibria", "shape"]\')\n'
@@ -383,6 +382,15 @@ def test_long_lines_are_broken():
     assert ast.dump(ast.parse("def f():\n" + "\n".join(lines))) == ast.dump(ast.parse(f"def f():\n    {text}"))
     call = "value = function(" + ", ".join(f"argument_{k}" for k in range(30)) + ")"
     assert ast.dump(ast.parse("\n".join(wrap(call, "")))) == ast.dump(ast.parse(call))
+
+
+@pytest.mark.parametrize(
+    "text", ["x, y = (f(a, b) for a, b in zip(u, v))", "x = (a, b)", "return (a, (b, c))", "x = tuple((a for a in b))"]
+)
+def test_statements_are_printed_as_they_are_meant(text):
+    body = ast.parse(f"def f():\n    {text}").body[0].body[0]
+    again = ast.parse(f"def f():\n    {expression(body)}").body[0].body[0]
+    assert ast.dump(again) == ast.dump(body)
 
 
 # The house rules

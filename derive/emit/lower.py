@@ -16,6 +16,7 @@ from derive.emit.pieces import Piece, bound_names
 from derive.emit.printer import Printer
 from derive.emit.values import Exact
 
+DIGITS = ("arguments", "digits")  # the kernel that says to how many digits a public function works
 _LONGEST_EXACT_DECIMAL = 12  # digits; 0.015625 is exact in both twins, 0.1 is not
 
 
@@ -153,8 +154,8 @@ def _with_precision(piece: Piece) -> None:
     if any(a.arg == "dps" for a in (*node.args.args, *node.args.kwonlyargs)):
         return
     head = node.body[:1] if isinstance(node.body[0], ast.Expr) and isinstance(node.body[0].value, ast.Constant) else []
-    context = ast.parse("workdps(mp.dps if dps is None else dps)", mode="eval").body
+    context = ast.parse(f"workdps({DIGITS[1]}(dps))", mode="eval").body
     node.args.kwonlyargs.append(ast.arg("dps"))
     node.args.kw_defaults.append(ast.Constant(None))
     node.body = [*head, ast.With([ast.withitem(context)], node.body[len(head) :])]
-    piece.names.update({name: External("mpmath", name, name) for name in ("mp", "workdps")})
+    piece.names.update({"workdps": External("mpmath", "workdps", "workdps"), DIGITS[1]: DIGITS[1]})

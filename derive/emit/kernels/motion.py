@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import asin, atan2, cos, exp, floor, larger, pi, pick, sin, sqrt
 from derive.emit.kernels.pieces import Piece, fall, onward, reach, slope
+from derive.emit.kernels.potential import moment_from_rest
 
 
 class Motion(NamedTuple):
@@ -42,9 +43,8 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     stiffness = pick(upper, hill.stiffness, well.stiffness)
     double_cosine = pick(upper, hill.double_cosine, well.double_cosine)
     double_sine = pick(upper, hill.double_sine, well.double_sine)
-    rest = hill._replace(stiffness=stiffness, double_cosine=double_cosine, double_sine=double_sine)
     tip = pick(upper, hill.angle, well.angle) + offset
-    near_moment = slope(eta, rest, offset)
+    near_moment = moment_from_rest(eta, stiffness, double_cosine, double_sine, offset)
     done = piece.clamp_gap + drop
     if basin.even:
         half_width = depth + (basin.axis.angle - well.angle)
@@ -194,7 +194,9 @@ def above_field(eta, piece, middle, half_width, field_angle, drop, depth):
     shift = wrapped(2 * (field_angle - middle))
     offset = wrapped(middle + shift - axis.angle)
     outer, inner = sin(half_width / 2), sin(shift / 2)
-    return (height + fall(eta, axis, 0, offset)) / pick(outer * outer == inner * inner, 1, outer * outer - inner * inner)
+    return (height + fall(eta, axis, 0, offset)) / pick(
+        outer * outer == inner * inner, 1, outer * outer - inner * inner
+    )
 
 
 def wrapped(angle):

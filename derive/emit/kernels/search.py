@@ -117,10 +117,10 @@ def crossings(beta, eta, field_angle, length, piece, most):
     found = []
     for sign in signs:
         counts = [(length - sign * item.arrival) / (2 * item.swing) for item in samples]
-        for turns, before, after in brackets(sample, samples, counts, length, sign):
+        for turns, before, after, beside in brackets(sample, samples, counts, length, sign):
             # At least 2·turns − 1 conjugate points, or one more on the branch that has gone on.
             if (turns or sign > 0) and 2 * turns - (sign < 0) <= most:
-                found.append(crossing(sample, turns, sign, length, before, after))
+                found.append(crossing(sample, turns, sign, length, before, after, beside))
     return found
 
 
@@ -129,14 +129,16 @@ def excess(item, turns, sign, length):
     return (2 * turns * item.swing if turns else 0) + sign * item.arrival - length
 
 
-def crossing(sample, turns, sign, length, before, after):
-    """The crossing between two samples on either side of it."""
+def crossing(sample, turns, sign, length, before, after, beside):
+    """The crossing between two samples on either side of it; a third one beside them helps to start."""
 
     def function(place):
         return excess(sample(place), turns, sign, length)
 
     low, high = excess(before, turns, sign, length), excess(after, turns, sign, length)
-    place = bracketed_root(function, before.place, after.place, low, high, epsilon() * length)
+    third = excess(beside, turns, sign, length)
+    points = (before.place, after.place, beside.place), (low, high, third)
+    place = bracketed_root(function, *points, epsilon() * length)
     return Crossing(place, turns, sign, high > low)
 
 
@@ -158,10 +160,7 @@ def grid(beta, eta, length, piece):
         last = max(rounding, 4 + log(2 * piece.width) - log(moment) - 2 * log(length))
     inner = [0.0]
     for side, end in ((-1, -first), (1, last)):
-        place = 1.25
-        while place < end:
-            inner.append(side * place)
-            place *= 2
+        inner += [side * place for place in (1.25, 2.5, 5.0, 10.0) if place < end]
         inner.append(side * end)
     return sorted(inner)
 
@@ -182,13 +181,22 @@ def refined(sample, samples, length):
 
 
 def bends(first, second, third, length):
-    """Whether a straight line through two samples misses the third by more than a little of what counts."""
+    """Whether the curves bend so much at the second sample that a count may reach a whole number unseen beside it.
+
+    By how far the straight line through two samples misses the third.
+    """
     share = (third.place - second.place) / (second.place - first.place)
     swing = third.swing - second.swing - share * (second.swing - first.swing)
     arrival = third.arrival - second.arrival - share * (second.arrival - first.arrival)
-    shortest = min(first.swing, second.swing, third.swing)
-    miss = abs(arrival) + (length / shortest * abs(swing) if length > shortest else 0)
-    return miss > 0.25 * length
+    least = min(first.swing, second.swing, third.swing)
+    reach = (abs(arrival) + (length / least * abs(swing) if length > least else 0)) / (2 * least)
+    for sign in (1, -1):
+        for item in (first, second, third):
+            count = (length - sign * item.arrival) / (2 * item.swing)
+            whole = floor(count + 0.5)
+            if abs(count - whole) < reach and (whole > 0 or whole == 0 and sign > 0):
+                return True
+    return False
 
 
 def end_sample(piece, last):
@@ -201,10 +209,11 @@ def end_sample(piece, last):
 
 
 def brackets(sample, samples, counts, length, sign):
-    """(turns, sample, sample) for every whole number that the count crosses between two samples."""
+    """(turns, sample, sample, a third) for every whole number that the count crosses between the two samples."""
     found = []
     for k in range(1, len(samples)):
-        found += between(samples[k - 1], samples[k], counts[k - 1], counts[k])
+        beside = samples[k - 2] if k > 1 else samples[-1] if len(samples) == k + 1 else samples[k + 1]
+        found += between(samples[k - 1], samples[k], counts[k - 1], counts[k], beside)
     for k in range(1, len(samples) - 1):
         before, here, after = counts[k - 1 : k + 2]
         if (before - here) * (after - here) > 0:
@@ -212,10 +221,10 @@ def brackets(sample, samples, counts, length, sign):
     return found
 
 
-def between(one, other, count_one, count_other):
+def between(one, other, count_one, count_other, beside):
     """The whole numbers from the lower count up to, but not at, the higher one."""
     low, high = (count_one, count_other) if count_one < count_other else (count_other, count_one)
-    return [(turns, one, other) for turns in range(max(ceil(low), 0), max(ceil(high), 0))]
+    return [(turns, one, other, beside) for turns in range(max(ceil(low), 0), max(ceil(high), 0))]
 
 
 def at_extremum(sample, triple, counts, length, sign):
@@ -236,7 +245,7 @@ def at_extremum(sample, triple, counts, length, sign):
     best = dip(sample, short, left, middle, right)
     if short(best) >= 0:
         return []
-    return [(goal, left, best), (goal, best, right)]
+    return [(goal, left, best, right), (goal, best, right, left)]
 
 
 def dip(sample, short, left, middle, right):
@@ -260,12 +269,15 @@ def dip(sample, short, left, middle, right):
     return middle
 
 
-def bracketed_root(function, a, b, value_a, value_b, blur):
-    """A sign change of the function between a and b, to rounding, by Chandrupatla's method (1997).
+def bracketed_root(function, places, values, blur):
+    """A sign change of the function between the first two places, to rounding, by Chandrupatla's method (1997).
 
-    blur: a value that rounding may have made of zero.
+    The third place has a value, too. blur: a value that rounding may have made of zero.
     """
-    fraction = min(0.9, max(0.1, value_a / (value_a - value_b)))
+    (a, b, c), (value_a, value_b, value_c) = places, values
+    fraction = interpolated(a, b, c, value_a, value_b, value_c)
+    if not 0 < fraction < 1:
+        fraction = 0.5
     while True:
         trial = a + fraction * (b - a)
         value = function(trial)
@@ -283,8 +295,10 @@ def bracketed_root(function, a, b, value_a, value_b, blur):
 
 def interpolated(a, b, c, value_a, value_b, value_c):
     """Where on the way from a to b inverse quadratic interpolation puts the zero, or half way where it is unsafe."""
+    if value_c == value_b or value_c == value_a:
+        return 0.5
     x, y = (a - b) / (c - b), (value_a - value_b) / (value_c - value_b)
-    if y * y >= x or (1 - y) * (1 - y) >= 1 - x:
+    if x <= 0 or y * y >= x or (1 - y) * (1 - y) >= 1 - x:
         return 0.5
     share = value_a / (value_b - value_a) * value_c / (value_b - value_c)
     return share + (c - a) / (b - a) * value_a / (value_c - value_a) * value_b / (value_c - value_b)
