@@ -48,7 +48,8 @@ def marks(sides, wanted=None):
     """The extrema of all branches of a rod, given from both sides, by key; or only the one wanted."""
     found = {}
     for rod in sides:
-        if wanted is not None and wanted[0] != rod.side:
+        stiff = rod.length * rod.length * (rod.beta + rod.eta) < 2  # nothing meets below (π/2)²
+        if stiff or (wanted is not None and wanted[0] != rod.side):
             continue
         scene = landscape(rod.beta, rod.eta, rod.field_angle)
         clamp = clamp_in(scene.rests, rod.clamp_angle)

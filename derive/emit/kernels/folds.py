@@ -10,8 +10,11 @@ from derive.emit.kernels.extrema import marks, slope_at
 from derive.emit.kernels.landscape import landscape
 from derive.emit.kernels.pieces import clamp_in
 from derive.emit.kernels.search import Crossing, bracketed_root
-from derive.emit.kernels.tracking import Row, zeros
+from derive.emit.kernels.tracking import follow, zeros
 from derive.emit.kernels.variations import Change
+
+# How near, as a share of the loads, an exchange may lie to where its branch's extremum itself appears.
+CLOSE = 1e-3
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +61,7 @@ def all_folds(beta, length, clamp_angle, field_angle, low, high):
     scale = frexp(beta + high)[1] // 2
     field = principal(field_angle)
     beta, length = ldexp(beta, -2 * scale), ldexp(length, scale)
-    places = steps(beta, length, ldexp(low, -2 * scale), ldexp(high, -2 * scale))
+    places = steps(beta, beta, length, ldexp(low, -2 * scale), ldexp(high, -2 * scale))
     if not places:
         return []
 
@@ -78,15 +81,18 @@ def both_sides(beta, eta, length, clamp_angle, field, scale):
     )
 
 
-def steps(beta, length, low, high):
-    """The η to look at first. As long as ℓ²(β + η) < (π/2)² nothing meets: ∂θ(0)/∂θ(ℓ) has no zero yet (Sturm)."""
+def steps(beta, soonest, length, low, high):
+    """The η to look at first, from where ``soonest``, the largest force, lets equilibria meet; beta: the least one.
+
+    As long as ℓ²(β + η) < (π/2)² nothing meets: ∂θ(0)/∂θ(ℓ) has no zero yet (Sturm).
+    """
     first = pi / 2 / length
-    start = max(low, first * first - beta)
+    start, offset = max(low, first * first - soonest), max(beta, first * first)
     if start >= high:
         return []
-    ratio = (beta + high) / (beta + start)
+    ratio = (offset + high) / (offset + start)
     count = ceil(20 * log(ratio)) + 2
-    inner = [(beta + start) * ratio ** (k / count) - beta for k in range(1, count)]
+    inner = [(offset + start) * ratio ** (k / count) - offset for k in range(1, count)]
     return [start, *(eta for eta in inner if start < eta < high), high]
 
 
@@ -152,7 +158,7 @@ def all_exchanges(length, clamp_angle, field_angle, low_beta, high_beta, low, hi
     field = principal(field_angle)
     low_beta, high_beta, low, high = (ldexp(load, -2 * scale) for load in (low_beta, high_beta, low, high))
     length = ldexp(length, scale)
-    places = steps(low_beta, length, low, high)
+    places = steps(low_beta, high_beta, length, low, high)
     if not places:
         return []
 
@@ -160,18 +166,21 @@ def all_exchanges(length, clamp_angle, field_angle, low_beta, high_beta, low, hi
         def extrema(eta, kept):
             return marks(both_sides(beta, eta, length, clamp_angle, field, scale), kept)
 
-        return stationary(extrema, places, key)
+        return stationary(extrema, places, -beta, key)
 
     count = ceil(20 * (high_beta - low_beta) / (low_beta + high)) + 3
     loads = [low_beta, *(low_beta + k * (high_beta - low_beta) / count for k in range(1, count)), high_beta]
-    found = [exchange_of(at, key, beta) for key, beta in zeros(at, loads, -high, 1e-3)]
+    found = [exchange_of(at, key, beta) for key, beta in zeros(at, loads, -high, CLOSE)]
     return sorted(found, key=lambda item: (item.beta, item.eta))
 
 
-def stationary(at, places, key):
+def stationary(at, places, origin, key):
     """The extrema of branches whose length is stationary in η too, by key; or only the one wanted."""
-    inner = None if key is None else key[0]
-    rows = [Row(eta, at(eta, inner)) for eta in places]
+
+    def near(eta, _):
+        return at(eta, None if key is None else key[0])
+
+    rows = follow(near, places, origin, CLOSE)
     found, count = {}, {}
     for low, high in zip(rows, rows[1:], strict=False):
         for name, mark in low.values.items():
