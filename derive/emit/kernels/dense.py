@@ -27,7 +27,7 @@ def shape_at(equilibrium, s, position=True):
 
 def by_series(equilibrium, s, position):
     """``shape_at`` by power series in bins along the rod."""
-    bins = bins_of(equilibrium)
+    bins = bins_of(equilibrium, position)
     cells = cells_for(equilibrium, bins, s.size)
     if cells and np.all(s[1:] >= s[:-1]):
         return by_runs(equilibrium, bins, cells, s, position)

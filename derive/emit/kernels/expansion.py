@@ -6,14 +6,16 @@ and place come from the closed form; it is as long as its last terms ask for.
 
 from __future__ import annotations
 
-from math import comb, frexp, ldexp
+from math import floor, ldexp, log2, sqrt
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from derive.emit.kernels.shapes import angle_and_position
+from derive.emit.kernels.shapes import angle_and_position, point_at
+from derive.emit.kernels.swing import phase_at
 
 SHORT = 128  # bins up to which none is looked for that is straight
+COARSE = 8  # bins up to which a range is not divided to find straight ones in it
 LONGEST = 48  # the longest series; where more terms are wanted, bins are halved
 
 
@@ -43,6 +45,11 @@ def negligible():
     return 2.0**-56
 
 
+def quarter():
+    """A quarter of the spacing of numbers at 1: how far a value may be from what the series of a bin gives."""
+    return 2.0**-54
+
+
 def period_of(equilibrium):
     """The period of θ in the length from the tip, and what y + iz changes by over it; 0 where the rod is shorter."""
     rod, swing = equilibrium.rod, equilibrium.swing
@@ -51,14 +58,17 @@ def period_of(equilibrium):
     return 2 * swing.length, -2 * ldexp(1.0, -rod.scale) * complex(swing.arc.y, rod.side * swing.arc.z)
 
 
-def bins_of(equilibrium):
-    """The bins of a rod: over its length, or over a period about the tip where the rod is longer than that."""
+def bins_of(equilibrium, position):
+    """The bins of a rod: over its length, or over a period about the tip where the rod is longer than that.
+
+    Their places are worth nothing without ``position``.
+    """
     mirrored = period_of(equilibrium)[0] > 0
     reach = equilibrium.swing.length if mirrored else equilibrium.rod.length
     width, series = 0.5, None
     while series is None:
         count = int(reach / width) + 1
-        state, straight = states(equilibrium, width, count)
+        state, straight = states(equilibrium, width, count, position)
         if mirrored:
             state, straight = with_mirror(equilibrium, state), np.concatenate((straight[::-1], straight))
         series = complete_series(equilibrium.rod, state, width / 2)
@@ -72,7 +82,7 @@ def complete_series(rod, state, half):
 
     What is left out decreases faster than by halves, so it is no more than these.
     """
-    for degree in range(16, LONGEST + 1, 6):
+    for degree in range(2 - int(56 / log2(half)), LONGEST + 1, 6):
         angle, place = series(rod, state, degree)
         last = abs(np.concatenate((degree * angle[-2:], ldexp(1.0, rod.scale) * place[-2:]), axis=1)).max(axis=1)
         if max(last[0] * half ** (degree - 1), last[1] * half**degree) <= negligible():
@@ -111,17 +121,14 @@ def with_mirror(equilibrium, state):
     )
 
 
-def states(equilibrium, width, count):
+def states(equilibrium, width, count, position):
     """The states in the middles of the bins, and which bins are straight: between the ends of straight ranges θ is
     constant, to rounding, and the place is linear."""
     known = {}
 
     def state_at(bins):
         if bins not in known:
-            rod = equilibrium.rod
-            s = ldexp(rod.length - bins * width, -rod.scale)
-            angle, curvature, y, z = angle_and_position(equilibrium, s)
-            known[bins] = State(angle, -ldexp(curvature, -rod.scale), complex(y, z))
+            known[bins] = state_of(equilibrium, bins * width, position)
         return known[bins]
 
     middles = np.arange(count) + 0.5
@@ -137,6 +144,31 @@ def states(equilibrium, width, count):
     return State(angle, slope, place), straight
 
 
+def state_of(equilibrium, length, position):
+    """The state at a length from the tip."""
+    rod, stay = equilibrium.rod, equilibrium.swing.stay
+    if position or stay.tip + stay.middle + stay.far > 0:
+        angle, curvature, y, z = angle_and_position(equilibrium, ldexp(rod.length - length, -rod.scale))
+        return State(angle, -ldexp(curvature, -rod.scale), complex(y, z))
+    return State(*angle_and_slope(rod, equilibrium.swing, length), 0)
+
+
+def angle_and_slope(rod, swing, length):
+    """θ and its slope at a length from the tip on a rod without stays, which cost much less than y and z."""
+    motion = swing.stay.motion
+    count = floor(length / swing.length)
+    within, sign = length - count * swing.length, rod.side
+    if count % 2:
+        within, sign = swing.length - within, -rod.side
+    if within <= 0:
+        return rod.side * (motion.tip + 2 * np.pi * swing.turns), 0.0
+    square, rest = phase_at(motion.end / 2, motion.middle / 2, within)
+    point, half = point_at(motion, square, rest)
+    cotangent = point.pole / point.strength
+    slope = 4 * sqrt(point.one) * point.product / (point.strength * (1 + cotangent * cotangent))
+    return rod.side * (motion.tip + 2 * half + 2 * np.pi * swing.turns), sign * slope
+
+
 def straight_ranges(state_at, count, turn):
     """Ranges of bins at whose ends, and at turning points within, θ is the same to rounding: between them it is
     monotone, therefore constant."""
@@ -146,31 +178,26 @@ def straight_ranges(state_at, count, turn):
         angles = [state_at(bins).angle for bins in (low, turn, 2 * turn, high) if low <= bins <= high]
         if max(angles) - min(angles) <= 2.0**-53 * max(1.0, abs(angles[0])):
             ranges.append((low, high))
-        elif high - low > 1:
+        elif high - low > COARSE:
             todo += [(low, (low + high) // 2), ((low + high) // 2, high)]
     return ranges
 
 
-def cells_in_bin(rod, bins, degree):
-    """In how many cells, a power of two, a bin is divided for series of the given degree.
+def divided(coefficients, half, cells, terms):
+    """Series about the middles of equal cells of bins, by power and cell, in a place between −1 and 1.
 
-    The first coefficient that is left out, anywhere in a bin, is at most Σ C(k, n)|c_k|r^{k−n}; the slope of the angle
-    has the strictest demand.
+    half: half the width of a bin. terms: how many terms are wanted, of all that the series have.
     """
-    n, half = degree + 1, bins.width / 2
-    powers = range(n, len(bins.angle))
-    place = bins.place * ldexp(1.0, rod.scale)
-    sizes = np.array([comb(k, n) * half ** (k - n) for k in powers])[:, None]
-    left_out = max(n * np.max((sizes * abs(bins.angle[n:])).sum(axis=0)), np.max((sizes * abs(place[n:])).sum(axis=0)))
-    finest = (negligible() * 4 / max(left_out, negligible())) ** (1 / degree)
-    return 2 ** max(0, frexp(half / finest)[1])
-
-
-def state_within(bins, which, offset):
-    """The states at offsets from the middles of bins, by their series."""
-    angle, place = bins.angle[-1][which], bins.place[-1][which]
-    slope = np.zeros(len(which))
-    for angles, places in zip(bins.angle[-2::-1], bins.place[-2::-1], strict=True):
-        slope = slope * offset + angle
-        angle, place = angle * offset + angles[which], place * offset + places[which]
-    return State(angle, slope, place)
+    size, part = len(coefficients), half / cells
+    middles = (2 * np.arange(cells) + 1 - cells) * part
+    powers = np.zeros((size, terms, cells))
+    powers[0, 0] = 1
+    for k in range(1, size):
+        # (middle + part·x)^k, by powers of x.
+        powers[k] = middles * powers[k - 1]
+        powers[k, 1:] += part * powers[k - 1, :-1]
+    rows = np.zeros((coefficients.shape[1], terms * cells))
+    # The smallest terms first.
+    for coefficient, power in zip(coefficients[::-1], powers[::-1], strict=True):
+        rows += coefficient[:, None] * power.reshape(1, -1)
+    return rows.reshape(-1, terms, cells).transpose(1, 0, 2).reshape(terms, -1)

@@ -58,9 +58,7 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     skew = 0 if basin.even else eta * sin(2 * (tip + half_width - field_angle))
     end, middle = rates(beta, eta, field_angle, piece, tip, half_width, sine, near, far, drop, depth)
     half_cosine = sin(lack / 2)
-    return Motion(
-        tip, half_width, done, left, near_moment, far_moment, near, far, end, middle, sine, half_cosine, skew
-    )
+    return Motion(tip, half_width, done, left, near_moment, far_moment, near, far, end, middle, sine, half_cosine, skew)
 
 
 def far_side(eta, piece, rise, drop, depth, done):
@@ -142,7 +140,9 @@ def above_field(eta, piece, middle, half_width, field_angle, drop, depth):
     shift = wrapped(2 * (field_angle - middle))
     offset = wrapped(middle + shift - axis.angle)
     outer, inner = sin(half_width / 2), sin(shift / 2)
-    return (height + fall(eta, axis, 0, offset)) / pick(outer * outer == inner * inner, 1, outer * outer - inner * inner)
+    return (height + fall(eta, axis, 0, offset)) / pick(
+        outer * outer == inner * inner, 1, outer * outer - inner * inner
+    )
 
 
 def wrapped(angle):

@@ -217,6 +217,4 @@ def piece_of(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_ga
     rests = (basin.hill, basin.well, basin.axis, basin.far_well, basin.far) if basin.passes else basin[:3]
     rest, offset = min(zip(rests, at, strict=False), key=lambda pair: abs(pair[1]))
     last = at[len(rests) - 1]
-    return Piece(
-        basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last
-    )
+    return Piece(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last)

@@ -1,17 +1,17 @@
-"""The shape of a rod at many points in order: runs of them lie in one bin, whose series has the same numbers for all."""
+"""The shape of a rod at many points in order: runs of them lie in one bin, and have one series."""
 
 from __future__ import annotations
 
 from math import ldexp
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-from numpy.polynomial.chebyshev import cheb2poly, poly2cheb
 
-from derive.emit.kernels.expansion import complete_series, negligible, period_of, state_within
+from derive.emit.kernels.expansion import divided, period_of, quarter
+from derive.emit.kernels.shortening import shortened
 
 ENOUGH = 1500  # points in a run, on average, from which runs are faster than looking up
-BLOCK = 8192  # points at a time, so that they stay in the cache
+BLOCK = 16384  # points at a time, so that they stay in the cache
 
 
 class Run(NamedTuple):
@@ -80,31 +80,15 @@ def runs_of(equilibrium, bins, width, s):
 
 
 def series_of(rod, bins, cells, position):
-    """The coefficients by cell, highest power first, of θ, θ′, y and z in a place between −1 and 1."""
-    half = bins.width / (2 * cells)
-    count = len(bins.straight)
-    which = np.repeat(np.arange(count), cells)
-    offset = np.tile((2 * np.arange(cells) + 1 - cells) * half, count)
-    angle, place = complete_series(rod, state_within(bins, which, offset), half)
-    powers = np.arange(len(angle))[:, None]
-    slope = -ldexp(1.0, rod.scale) * powers[1:] * angle[1:] * half ** powers[:-1]
-    parts = [angle * half**powers, slope]
-    scaled = place * half**powers
-    parts += [scaled.real, scaled.imag] if position else []
-    units = 1.0, ldexp(1.0, rod.scale), ldexp(1.0, -rod.scale), ldexp(1.0, -rod.scale)
-    return [shortened(part, negligible() * unit)[::-1].T.tolist() for part, unit in zip(parts, units, strict=False)]
+    """The coefficients by cell, highest power first, of θ, θ′, y and z in a place between −1 and 1.
 
-
-def shortened(coefficients, allowed):
-    """Polynomials of least degree that differ from the given ones by no more than allowed between −1 and 1.
-
-    Chebyshev polynomials are at most 1 there, so those of high degree go as long as their coefficients sum to less.
+    They are right to a quarter of the spacing of numbers at 1, in rod lengths for y and z.
     """
-    size = len(coefficients)
-    powers = np.eye(size)
-    to_chebyshev = np.array([np.resize(np.append(poly2cheb(row), np.zeros(size)), size) for row in powers])
-    series = to_chebyshev.T @ coefficients
-    tails = np.cumsum(abs(series[::-1]), axis=0).max(axis=1)
-    kept = max(2, size - int(np.searchsorted(tails, allowed, side="right")))
-    back = np.array([np.resize(np.append(cheb2poly(row), np.zeros(kept)), kept) for row in np.eye(kept)])
-    return back.T @ series[:kept]
+    half = bins.width / 2
+    places = (bins.place.real, bins.place.imag) if position else ()
+    angle, *parts = (divided(part, half, cells, len(part)) for part in (bins.angle, *places))
+    slope = -ldexp(cells / half, rod.scale) * np.arange(1, len(angle))[:, None] * angle[1:]
+    parts = [angle, slope, *parts]
+    length = ldexp(max(1.0, rod.length), -rod.scale)
+    units = 1.0, ldexp(1.0, rod.scale), length, length
+    return [shortened(part, quarter() * unit)[::-1].T.tolist() for part, unit in zip(parts, units, strict=False)]
