@@ -33,8 +33,8 @@ class Arc(NamedTuple):
 def clamp_point(motion, phase):
     """The point where the motion meets the clamp."""
     strength = motion.near_moment / 4
-    sine, cosine = sin(motion.done / 2), cos(motion.done / 2)
-    one = strength * sin(motion.left / 2) / (sine * motion.sine)
+    sine, cosine = motion.done_sine, cos(motion.done / 2)
+    one = strength * motion.left_sine / (sine * motion.sine)
     product = sqrt(motion.near) * phase.delta * phase.whole / (8 * motion.end * sine)
     a, b = motion.end, motion.middle
     root_sum = sqrt((a * a * phase.rest + b * b * phase.square) / phase.square)
@@ -66,7 +66,7 @@ def arc_to(beta, eta, field_angle, motion, point, square, rest, extent):
 def lift_of(motion, square, rest):
     """x + √(X₂X₃), which is small where the motion is nearly a whole turn."""
     near, far = sqrt(motion.near), sqrt(motion.far)
-    turn = 2 * motion.skew * motion.sine / (near + far) + 2 * near * motion.half_cosine * motion.half_cosine
+    turn = motion.uneven + 2 * near * motion.half_cosine * motion.half_cosine
     return near * (turn + 2 * far * rest / square) / 8
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from cmath import log as complex_log
 from cmath import sqrt as complex_sqrt
-from math import acos, asin, atan, atan2, ceil, cos, exp, floor, frexp, inf, isfinite, ldexp, log, pi, sin, sqrt
+from math import acos, asin, atan, atan2, ceil, cos, exp, floor, frexp, hypot, inf, isfinite, ldexp, log, pi, sin, sqrt
 
 __all__ = [
     "acos",
@@ -22,6 +22,7 @@ __all__ = [
     "exp",
     "floor",
     "frexp",
+    "hypot",
     "inf",
     "isfinite",
     "larger",
@@ -32,12 +33,18 @@ __all__ = [
     "pick",
     "real",
     "sin",
+    "spacing",
     "sqrt",
 ]
 
 
 def epsilon() -> float:
     """The spacing of numbers just above 1."""
+    return 2.0**-52
+
+
+def spacing(x):
+    """The spacing of numbers just above 1, in the precision of x."""
     return 2.0**-52
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mpmath import acos, asin, atan, atan2, cos, eps, exp, frexp, inf, isfinite, ldexp, log, mpf, pi, sin, sqrt
+from mpmath import acos, asin, atan, atan2, cos, eps, exp, frexp, hypot, inf, isfinite, ldexp, log, mpf, pi, sin, sqrt
 from mpmath import ceil as mpf_ceil
 from mpmath import floor as mpf_floor
 from mpmath import mpc as complex_of
@@ -24,6 +24,7 @@ __all__ = [
     "exp",
     "floor",
     "frexp",
+    "hypot",
     "inf",
     "isfinite",
     "larger",
@@ -34,6 +35,7 @@ __all__ = [
     "pick",
     "real",
     "sin",
+    "spacing",
     "sqrt",
 ]
 
@@ -51,6 +53,11 @@ def ceil(x):
 def floor(x):
     """The greatest integer that is not above x."""
     return int(mpf_floor(x))
+
+
+def spacing(x):
+    """The spacing of numbers just above 1, in the precision of x."""
+    return +eps
 
 
 def real(name, value):

@@ -74,7 +74,7 @@ def point_at(motion, square, rest):
     turned = (rest * rest - flat * square) / scale
     versine = 2 * square * (rest + flat) / scale
     bent = (rest * rest + flat * (1 + rest)) / scale
-    tilt = 2 * motion.skew * motion.sine / (near + far) + turned * (near + far)
+    tilt = motion.uneven + turned * (near + far)
     sine, cosine = sin(motion.half_width / 2), motion.half_cosine
     level = near * versine + far * (1 + turned)
     first = 2 * sine * cosine * near * versine

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import any_of, atan2, epsilon, pi, pick, sin, sqrt
+from derive.emit.kernels.arithmetic import any_of, atan2, epsilon, hypot, pi, pick, sin, sqrt
 
 
 class Phase(NamedTuple):
@@ -23,14 +23,14 @@ class Phase(NamedTuple):
 def phase_of(motion):
     """The phase of the clamp, from χ by the duplication of an elliptic argument (DLMF 22.6(iii))."""
     near, far = sqrt(motion.near), sqrt(motion.far)
-    done, left = far * sin(motion.done / 2), near * sin(motion.left / 2)
+    done, left = far * motion.done_sine, near * motion.left_sine
     # left − done, where the motion is symmetric by the sines, and else by the difference of its ends.
     ahead = 2 * near * motion.half_cosine * sin((motion.left - motion.done) / 4)
-    ahead = ahead - 2 * motion.skew * motion.sine * sin(motion.done / 2) / (near + far)
+    ahead = ahead - motion.uneven * motion.done_sine
     whole = done + left
-    square, cosine = 4 * done * left / (whole * whole), ahead / whole
+    square, cosine = 4 * (done / whole) * (left / whole), ahead / whole
     a, b = motion.end, motion.middle
-    delta = sqrt(a * a * cosine * cosine + b * b * square)
+    delta = hypot(a * cosine, b * sqrt(square))
     first = cosine >= 0
     versine = pick(first, square / (1 + abs(cosine)), 1 - cosine)
     along = pick(first, delta + a * cosine, b * b * square / (delta + a * abs(cosine)))
