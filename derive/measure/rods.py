@@ -26,7 +26,7 @@ _KINDS: tuple[tuple[float, float, float, float], ...] = (
 _SHARE = {"field_only": 0.0, "force_only": 1.0}
 _FIELD_ANGLE = {"orthogonal": pi / 2}
 # For a field at any angle: one for each rod, on both sides of the force, near it and near a quarter turn, beyond that.
-_FIELD_ANGLES = (0.7, -0.4, 1.2, 2.5, pi / 4, 1e-3, -1.5, 0.7, -2.0)
+_FIELD_ANGLES = (0.7, -0.4, 1.2, 2.5, 0.9, 1e-3, -1.5, 0.7, -2.0)
 
 
 def rods(case: str, folded: Mapping[str, float] | None = None) -> list[Rod]:
