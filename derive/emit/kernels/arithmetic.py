@@ -50,9 +50,15 @@ def spacing(x):
 
 def real(name: str, value: object) -> float:
     """A finite real number as a float; TypeError or ValueError names the argument that is none."""
-    if isinstance(value, (str, bytes, bool, complex)) or not hasattr(value, "__float__"):
+    numeric = getattr(getattr(value, "dtype", None), "kind", "f") in "fiu" and not getattr(value, "ndim", 0)
+    if isinstance(value, (str, bytes, bool, complex)) or not numeric or not hasattr(value, "__float__"):
         raise TypeError(f"{name} must be a real number, got {value!r}")
-    number = float(value)
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} must be a real number, got {value!r}") from None
+    except OverflowError:
+        raise ValueError(f"{name} must be finite, got a number too large for a double") from None
     if not isfinite(number):
         raise ValueError(f"{name} must be finite, got {value!r}")
     return number

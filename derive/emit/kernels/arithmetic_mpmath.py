@@ -62,12 +62,13 @@ def spacing(x):
 
 def real(name, value):
     """A finite real number as an mpf, from a number or its decimal text; TypeError or ValueError names the argument."""
-    if isinstance(value, (bool, bytes, complex)):
-        raise TypeError(f"{name} must be a real number, got {value!r}")
+    numeric = getattr(getattr(value, "dtype", None), "kind", "f") in "fiu" and not getattr(value, "ndim", 0)
     try:
+        if isinstance(value, (bool, bytes, complex)) or not numeric:
+            raise TypeError(name)
         number = mpf(value)
-    except (TypeError, ValueError) as error:
-        raise TypeError(f"{name} must be a real number, got {value!r}") from error
+    except (TypeError, ValueError, ZeroDivisionError):
+        raise TypeError(f"{name} must be a real number, got {value!r}") from None
     if not isfinite(number):
         raise ValueError(f"{name} must be finite, got {value!r}")
     return number

@@ -57,7 +57,9 @@ class Equilibrium:
 
     tip_angle: θ(ℓ), continuous from θ(0) = clamp_angle, not wrapped. clamp_curvature: θ′(0). gamma: constant of
     the first integral. y, z: position of the tip. energy: ∫(½θ′² − ½η(d₃·e)²)ds − β·y, in units of EI. index:
-    number of negative directions of the second variation; 0 means stable. rod and swing carry what ``shape`` needs.
+    number of negative directions of the second variation; 0 means stable.
+    rod: the rod it is an equilibrium of.
+    swing: its half-swing, None if it is straight.
     """
 
     tip_angle: float
@@ -74,7 +76,7 @@ class Equilibrium:
 def all_equilibria(beta, eta, length, clamp_angle, field_angle, max_index):
     """Every equilibrium, sorted by tip angle: from the tips below the clamp angle, above it, and the straight rod."""
     if beta + eta == 0:
-        return [idle_rod(length, clamp_angle)]
+        return [idle_rod(beta, eta, length, clamp_angle, field_angle)]
     most = inf if max_index is None else max_index
     scale = frexp(beta + eta)[1] // 2
     field = principal(field_angle)
@@ -132,8 +134,10 @@ def bent_rod(rod, turns, piece, crossing, index):
     motion, basin = stay.motion, piece.basin
     phase = phase_of(motion)
     swing, arrival = times(motion)
-    whole = arc_to(beta, eta, field_angle, motion, far_point(motion), 1, 0, swing)
-    whole = with_stays(eta, field_angle, whole, stay, stay.middle, stay.far, basin)
+    whole = Arc(0, 0, 0)  # not asked for within the first half-swing
+    if crossing.turns:
+        whole = arc_to(beta, eta, field_angle, motion, far_point(motion), 1, 0, swing)
+        whole = with_stays(eta, field_angle, whole, stay, stay.middle, stay.far, basin)
     part = arc_to(beta, eta, field_angle, motion, clamp_point(motion, phase), phase.square, phase.rest, arrival)
     part = with_stays(eta, field_angle, part, stay, stay.arrival, 0, basin)
     both, sign = 2 * crossing.turns, crossing.sign
@@ -187,7 +191,7 @@ def straight_rod(rod, rest):
     soft = -rest.stiffness
     index = floor(rod.length * sqrt(soft) / pi + 0.5) if soft > 0 else 0
     energy = -(rod.beta * cosine + rod.eta * along * along / 2) * rod.length
-    length = ldexp(rod.length, -rod.scale)
+    length = length_of(rod)
     return Equilibrium(
         rod.side * rod.clamp_angle,
         0 * length,
@@ -201,12 +205,17 @@ def straight_rod(rod, rest):
     )
 
 
-def idle_rod(length, clamp_angle):
+def idle_rod(beta, eta, length, clamp_angle, field_angle):
     """The rod on which nothing acts."""
-    rod = Rod(0 * length, 0 * length, length, clamp_angle, 0 * length, 1, 0)
+    rod = Rod(beta, eta, length, clamp_angle, field_angle, 1, 0)
     nothing = 0 * length
     y, z = length * cos(clamp_angle), length * sin(clamp_angle)
     return Equilibrium(clamp_angle, nothing, nothing, y, z, nothing, 0, rod, None)
+
+
+def length_of(rod):
+    """The length of a rod in the user's units."""
+    return ldexp(rod.length, -rod.scale)
 
 
 def direction(rest):

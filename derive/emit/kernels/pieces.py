@@ -96,7 +96,8 @@ def reach(eta, rest, amount, most, side):
         force = larger(abs(slope(eta, rest, side * near)), epsilon() ** 20)
         trial = near - 2 * here * (here - goal) / force
         trial = pick(trial > most, (near + most) / 2, pick(trial < 0, near / 2, trial))
-        moving, near = abs(trial - near) > 4 * spacing(trial) * near, trial
+        # Newton's method squares the error: after a step this small the next one would change nothing.
+        moving, near = abs(trial - near) > spacing(trial) ** 0.6 * near, trial
         if not any_of(moving):
             break
     return near
@@ -113,7 +114,7 @@ def onward(eta, rest, start, amount, rough):
         force = slope(eta, rest, start + distance)
         step = (fall(eta, rest, start, distance) - amount) / pick(force == 0, 1, force)
         distance = pick(abs(distance - step) > pi, rough, distance - step)
-        if not any_of(abs(step) > 4 * spacing(distance) * abs(distance)):
+        if not any_of(abs(step) > spacing(distance) ** 0.6 * abs(distance)):
             break
     return distance
 
