@@ -13,8 +13,9 @@ from derive.emit.kernels.array_arithmetic import each_cos, each_sin
 def moment_from_rest_each(eta, stiffness, double_cosine, double_sine, offset):
     """θ″ = −V′ at an offset from a direction without moment."""
     half = each_sin(offset / 2)
-    return each_sin(offset) * (stiffness - 2 * eta * double_cosine * half * half) - eta * double_sine * half * each_sin(
-        1.5 * offset
+    return (
+        each_sin(offset) * (stiffness - 2 * eta * double_cosine * half * half)
+        - eta * double_sine * half * each_sin(1.5 * offset)
     )
 
 
@@ -24,5 +25,7 @@ def fall_from_rest_each(eta, stiffness, double_cosine, double_sine, middle, half
     even = wide * wide + each_cos(middle) * narrow * narrow
     odd = wide * each_sin(1.5 * middle) + each_cos(2 * middle) * narrow * narrow
     return (
-        2 * each_sin(half) * (each_sin(middle) * (stiffness - 2 * eta * double_cosine * even) - eta * double_sine * odd)
+        2
+        * each_sin(half)
+        * (each_sin(middle) * (stiffness - 2 * eta * double_cosine * even) - eta * double_sine * odd)
     )
