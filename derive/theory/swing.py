@@ -18,6 +18,7 @@ from .plane import Plane
 from .swing_arcs import write_arcs
 from .swing_levels import Levels, write_levels
 from .swing_names import Writer
+from .swing_phase import write_phase
 from .swing_points import Points, write_points
 from .swing_rates import write_rates
 from .swing_rest import write_rest
@@ -34,6 +35,7 @@ class Swing:
     turns: Turns
     points: Points
     formulas: tuple[Formula, ...]
+    steps: tuple[Formula, ...]
 
 
 def derive(plane: Plane, oblique: Oblique, book: Notebook) -> Swing | None:
@@ -48,11 +50,12 @@ def derive(plane: Plane, oblique: Oblique, book: Notebook) -> Swing | None:
     book.say("Any angle of the field. The motion between two turning points")
     turns = write_turns(levels, writer)
     write_rates(writer)
+    phase = write_phase(writer)
     book.say("Any angle of the field. Points of the motion by ℘ at the tip")
     points = write_points(levels, turns, oblique.half, writer)
     position = write_arcs(points, oblique.half, writer)
     write_square(position, oblique.half, writer)
-    return Swing(levels, turns, points, tuple(writer.formulas))
+    return Swing(levels, turns, points, tuple(writer.formulas), tuple(writer.steps))
 
 
 def main() -> None:
