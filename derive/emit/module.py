@@ -24,7 +24,7 @@ from derive.emit.slice import Slicer
 from derive.emit.specialise import specialise
 from derive.theory.claims import Formula
 
-GENERAL_CASE = "parallel"  # the load case whose formulas have every argument; kernels call them in that form
+GENERAL_CASE = "oblique"  # the load case whose formulas have every argument; kernels call them in that form
 
 
 @dataclass(frozen=True)

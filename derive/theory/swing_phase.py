@@ -37,7 +37,10 @@ delta = Symbol("delta", real=True)  # √(a² cos² + b² sin²) there
 behind, ahead = symbols("behind ahead", real=True)  # √P′ sin(δ/2), √P sin(D − δ/2)
 gap_sine = Symbol("gap_sine", real=True)  # sin of a quarter of what is left less what is done
 tilt = Symbol("tilt", real=True)  # |cos χ|
-below = Symbol("below", real=True)  # 2a(a + b)/(a + Δ)
+total = Symbol("total", real=True)  # a + b
+below = Symbol("below", real=True)  # a + Δ; where the step is undone 2a(a + b)/(a + Δ)
+step_gap = Symbol("gap", real=True)  # a − b
+whole = Symbol("whole", real=True)  # √P′ sin(δ/2) + √P sin(D − δ/2)
 PHASE = Domain({first: (0, oo), second: (0, oo), square: (0, 1)})
 MOTION = Domain({near: (0, oo), far: (0, oo), half_width: (0, 3), done: (0, 2 * half_width)})
 
@@ -68,7 +71,7 @@ def write_phase(writer: Writer) -> Phase:
 
 def _write_chi(writer: Writer) -> None:
     """sin²χ and cos χ by the half-angle sines: tan²(χ/2) is behind/ahead."""
-    total = writer.add(
+    added = writer.add(
         "phase_sum",
         (root_near, root_far, done_sine, left_sine),
         root_far * done_sine + root_near * left_sine,
@@ -90,17 +93,21 @@ def _write_chi(writer: Writer) -> None:
         (root_near, root_far, half_cosine, lean, sine, done_sine, gap_sine),
         forward - 2 * lean * sine * done_sine / (root_near + root_far),
         "√P sin(D − δ/2) − √P′ sin(δ/2), with gap_sine = sin((D − δ)/2)",
-        lambda value: Equal((value + 2 * root_far * done_sine).subs(names), total.subs(names)),
+        lambda value: Equal((value + 2 * root_far * done_sine).subs(names), added.subs(names)),
         MOTION,
         steps=("phase_sum", "skew"),
     )
+    parts = Domain({behind: (0, oo), ahead: (0, oo)})
+    quotient = Equal((ahead - behind) / (ahead + behind), (1 - tangent) / (1 + tangent))
+    title, steps = "cos χ is the lead over the sum", ("phase_tangent_squared", "phase_sum", "phase_lead")
+    writer.claim("phase_cosine", title, quotient, parts, given=((tangent, behind / ahead),), steps=steps)
     writer.add(
         "chi_square",
-        (behind, ahead),
-        4 * behind * ahead / (behind + ahead) ** 2,
-        "sin²χ, by the two parts of the phase's sum",
-        lambda value: Equal(value, 4 * tangent / (1 + tangent) ** 2),
-        Domain({behind: (0, oo), ahead: (0, oo)}),
+        (behind, ahead, whole),
+        4 * behind * ahead / whole**2,
+        "sin²χ, by the two parts of the phase's sum, and the sum",
+        lambda value: Equal(value.subs(whole, behind + ahead), 4 * tangent / (1 + tangent) ** 2),
+        parts,
         given=((tangent, behind / ahead),),
         steps=("phase_tangent_squared", "phase_sum"),
         source="DLMF 4.21(iii)",
@@ -188,16 +195,16 @@ def _write_gauss(writer: Writer) -> Phase:
         return 1 / (4 * at * (1 - at) * (one**2 * (1 - at) + other**2 * at))
 
     def keeps(value: Expr) -> Equal:
-        at = value.subs(delta, root)
+        at = value.subs(sums).subs(delta, root)
         speed = diff(at, square) ** 2 * squared(at, (a + b) / 2, sqrt(a * b))
         return Equal(speed, squared(square, a, b))
 
-    scale = (a + delta) ** 2
+    sums = {total: a + b, below: a + delta}
     new_square = writer.add(
         "gauss_square",
-        (first, second, square, delta),
-        (a + b) ** 2 * square / scale,
-        "sin²ψ′ of Gauss's step, which keeps the integral: a′ = (a + b)/2, b′ = √(ab)",
+        (square, total, below),
+        total**2 * square / below**2,
+        "sin²ψ′ of Gauss's step, which keeps the integral: a′ = (a + b)/2, b′ = √(ab); total = a + b, below = a + Δ",
         keeps,
         PHASE,
         steps=("phase_rate",),
@@ -206,15 +213,15 @@ def _write_gauss(writer: Writer) -> Phase:
     inner = a + (a**2 + b**2 * square) / (delta + b * square)
     new_rest = writer.add(
         "gauss_rest",
-        (first, second, square, rest, delta),
-        2 * a * rest * inner / scale,
-        "cos²ψ′ of Gauss's step, without a difference",
-        lambda value: Equal((value + new_square).subs({delta: root, rest: 1 - square}), 1),
+        (first, second, square, rest, delta, below),
+        2 * a * rest * inner / below**2,
+        "cos²ψ′ of Gauss's step, without a difference; below = a + Δ",
+        lambda value: Equal((value + new_square).subs(sums).subs({delta: root, rest: 1 - square}), 1),
         PHASE,
         steps=("gauss_square",),
         source=source,
     )
-    return Phase(delta_there, new_square, new_rest)
+    return Phase(delta_there, new_square.subs(sums), new_rest.subs(sums))
 
 
 def _write_second_kind(step: Phase, writer: Writer) -> None:
@@ -250,7 +257,7 @@ def _write_back(step: Phase, writer: Writer) -> None:
     after, source = {square: step.square, rest: 1 - step.square}, "DLMF 19.8(iii)"
 
     def undone(value: Expr, known: Expr) -> Equal:
-        found = value.subs(below, before).subs(after, simultaneous=True)
+        found = value.subs({below: before, step_gap: a - b}).subs(after, simultaneous=True)
         return Equal(found.subs(delta, root), known.subs(delta, root))
 
     for name, arguments, expression, doc, known, steps in (
@@ -259,9 +266,9 @@ def _write_back(step: Phase, writer: Writer) -> None:
         ("back_square", (a, square, below), 4 * a**2 * square / below**2, "sin²ψ by sin²ψ′", square, ("back_below",)),
         (
             "back_rest",
-            (a, b, rest, below),
-            rest * (4 * a * b + (a - b) ** 2 * rest) / below**2,
-            "cos²ψ by cos²ψ′",
+            (a, b, step_gap, rest, below),
+            rest * (4 * a * b + step_gap**2 * rest) / below**2,
+            "cos²ψ by cos²ψ′, with gap = a − b",
             1 - square,
             ("back_below_rest",),
         ),

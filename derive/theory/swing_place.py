@@ -27,13 +27,12 @@ from .swing_names import (
     root_near,
     sine,
 )
-from .swing_phase import MOTION, PHASE, delta, first, rate, rest, second, square
+from .swing_phase import MOTION, PHASE, delta, end, first, rate, rest, second, square, whole
 from .swing_points import x_near
 from .swing_rates import legendre
 
 bend = Symbol("bend", real=True)  # a²/Δ
 chi_rate = Symbol("rate", real=True)  # (dχ/dσ)/h
-whole = Symbol("whole", real=True)  # √P′ sin(δ/2) + √P sin(D − δ/2)
 pair_root = Symbol("pair_root", real=True)  # √X₂√X₃
 SPREAD = 4 * second**2 - 2 * first**2  # 2ê₁ − ê₂ − ê₃
 SINES = Domain(
@@ -53,6 +52,7 @@ def write_place(writer: Writer) -> Place:
     """The formulas of X₁, √X₂√X₃, √X₂ + √X₃, x + √X₂√X₃ and θ_σ."""
     place = _write_near(writer)
     _write_root_sum(place, writer)
+    _write_far(writer)
     _write_lift(place, writer)
     _write_by_sines(writer)
     return place
@@ -101,6 +101,20 @@ def _write_root_sum(place: Place, writer: Writer) -> None:
     )
 
 
+def _write_far(writer: Writer) -> None:
+    """√X₂√X₃ at the far turning point."""
+    writer.add(
+        "far_pair_root",
+        (end,),
+        end**2 / 4,
+        "√X₂√X₃ at the far turning point, by the rate of χ there",
+        lambda value: Equal(value**2, near * far / 64),
+        Domain({near: (0, oo), far: (0, oo)}),
+        given=((end, sqrt(sqrt(near * far) / 2)),),
+        steps=("far_slope", "end_rate_squared"),
+    )
+
+
 def _write_lift(place: Place, writer: Writer) -> None:
     """x + √X₂√X₃ = ê₁ + X₁ + √X₂√X₃: √P√P′ + P cos D is small where the motion is nearly a whole turn."""
     turn = 2 * lean * sine / (root_near + root_far) + 2 * root_near * half_cosine**2
@@ -124,10 +138,10 @@ def _write_lift(place: Place, writer: Writer) -> None:
 def _write_by_sines(writer: Writer) -> None:
     """√X₂√X₃ and θ_σ by the half-angle sines and the rate of χ: sin²D·Q is its square times that of the sum."""
     tangent = sqrt(far) * done_sine / (sqrt(near) * left_sine)
-    end, middle = sqrt(near * far) / 2, (sqrt(near * far) + excess) / 4
+    at_turns, middle = sqrt(near * far) / 2, (sqrt(near * far) + excess) / 4
     names = {
         root_near: sqrt(near),
-        chi_rate: sqrt(legendre(end, middle, tangent) / end),
+        chi_rate: sqrt(legendre(at_turns, middle, tangent) / at_turns),
         whole: sqrt(far) * done_sine + sqrt(near) * left_sine,
     }
     factor = near * left_sine**2 + far * done_sine**2 + 2 * excess * done_sine * left_sine  # sin²D·Q
