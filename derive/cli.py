@@ -10,7 +10,12 @@ from pathlib import Path
 
 USAGE, FAILED, INTERRUPTED = 2, 1, 130
 # Where commands are that do not stand in `commands`.
-PLACES = {"check": "commands_check", "explain": "commands_explain", "report": "commands_report"}
+PLACES = {
+    "check": "commands_check",
+    "emit": "commands_emit",
+    "explain": "commands_explain",
+    "report": "commands_report",
+}
 NUMBERS = ("beta", "eta", "length", "clamp-angle", "field-angle")
 
 CHECK_CODES = (
@@ -43,6 +48,9 @@ def parser() -> argparse.ArgumentParser:
     add.add_argument("scenes", nargs="*", metavar="SCENE.toml", help="scene file or name (default: all shipped)")
     add.add_argument("--out", type=Path, metavar="DIR", help="folder for the modules (default: generated)")
     add.add_argument("--check", action="store_true", help="write nothing; exit 1 with a diff on drift")
+    add.add_argument(
+        "--explain", action="store_true", help="write nothing; what each module leaves out, why, and what that saves"
+    )
 
     add = commands.add_parser(
         "report", parents=[common], help="write what was found about the printed formulas, as LaTeX and PDF"

@@ -19,7 +19,6 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
 
 from derive import output, pipeline, show, stages
 from derive.cache import Cache, write_atomically
-from derive.emit.backends import FORMULA_FILES
 from derive.measure.loading import load
 from derive.numbers import MistakeError, given_numbers, parameters
 from derive.resources import kernels_folder, shipped_scenes
@@ -64,26 +63,6 @@ def run_all(options: argparse.Namespace) -> int:
     return write_modules(options, shipped(), paper=True)
 
 
-def run_emit(options: argparse.Namespace) -> int:
-    """Write modules, or with --check compare them with what is there."""
-    scenes = [scene_path(name) for name in options.scenes] or shipped()
-    if not options.check:
-        return write_modules(options, scenes, paper=False)
-    folder = options.out or output.default_folder()
-    job = pipeline.Job()
-    with running(options) as runner:
-        pipeline.emit_modules(runner, job, pipeline.read_scenes(runner, scenes))
-        if not job.holds:
-            return failed(job)
-        files = emitted_files(runner, job, folder, kernels=not options.out)
-    lines = output.drift(files, folder, complete=not options.scenes)
-    sys.stdout.writelines(lines)
-    save(options.json, {"drift": [line.rstrip("\n") for line in lines]})
-    if lines:
-        print(f"derive emit: {folder} differs from what the scenes give; run 'derive emit'", file=sys.stderr)
-    return 1 if lines else 0
-
-
 def write_modules(options: argparse.Namespace, scenes: list[Path], *, paper: bool) -> int:
     """Derive, judge, emit, prove, run; then write, and show what was found."""
     start, console = time.perf_counter(), show.console()
@@ -114,19 +93,13 @@ def failed(job: pipeline.Job) -> int:
 
 
 def emitted_files(runner: Runner, job: pipeline.Job, folder: Path, *, kernels: bool) -> dict[Path, str]:
-    """Path and text of all that is written: the modules, their package, in a checkout the kernels' own formulas."""
+    """Path and text of all that is written: the modules, their package, in a checkout emitted kernel files."""
     files = {folder / f"{module['name']}.py": module["text"] for module in job.modules}
     files[folder / "__init__.py"] = output.PACKAGE_DOC
     if kernels and folder == output.default_folder() and output.in_checkout():
-        tasks = [
-            Task("emit", f"{family} formulas", stages.emit_formulas, (family,), stages.emission_paths())
-            for family in FORMULA_FILES
-        ]
-        texts = runner.results(tasks, stages.derived)
-        files |= {
-            kernels_folder() / f"{FORMULA_FILES[name]}.py": text
-            for name, text in zip(FORMULA_FILES, texts, strict=True)
-        }
+        task = Task("emit", "kernels", stages.emit_kernels, (), stages.emission_paths())
+        (texts,) = runner.results([task], stages.derived)
+        files |= {kernels_folder() / f"{stem}.py": text for stem, text in texts.items()}
     return files
 
 
@@ -178,7 +151,9 @@ def scene_path(name: str) -> Path:
         return known[name]
     if path.suffix == ".toml" or path.exists():
         return path
-    raise MistakeError(f"no scene '{name}'; give a scene file, or one of: {', '.join(known)}")
+    from derive.emit.errors import choices
+
+    raise MistakeError(f"no scene '{name}'{choices(name, known)}, or a scene file")
 
 
 def latex(path: Path) -> str:

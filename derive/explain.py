@@ -10,6 +10,8 @@ from pathlib import Path
 from typing import Any
 
 from derive import stages
+from derive.emit.backends import EACH
+from derive.emit.scene import GENERAL_CASE
 from derive.grounds import GROUNDS
 from derive.paper.text_claims import load_claims
 
@@ -28,7 +30,7 @@ def explain(what: str, folder: Path) -> dict[str, Any]:
     place = re.fullmatch(r"(.+):(-?\d+)", what)
     if place:
         names, case = formulas_at(Path(place[1]), int(place[2]), folder, {f.name for f in theory.formulas})
-        formulas = [f for f in theory.formulas if f.name in names and case in ("", f.case)]
+        formulas = stood_for(theory.formulas, names, case)
         starts = [f.claim for f in formulas]
     else:
         starts = [f.claim for f in theory.formulas if what == f.name]
@@ -53,6 +55,15 @@ def explain(what: str, folder: Path) -> dict[str, Any]:
             for c in (claims[one] for one in ordered(starts, claims))
         ],
     }
+
+
+def stood_for(formulas: Collection[Any], names: Collection[str], case: str) -> list[Any]:
+    """The formulas that a module of a load case evaluates under some names: its own, or else those of any case."""
+    named = [f for f in formulas if f.name in names]
+    if not case:
+        return named
+    own = {f.name for f in named if f.case == case}
+    return [f for f in named if f.case == (case if f.name in own else GENERAL_CASE)]
 
 
 def beginnings(what: str, claims: Mapping[str, Any]) -> list[str]:
@@ -109,11 +120,12 @@ def formulas_at(path: Path, line: int, folder: Path, known: Collection[str]) -> 
     if here is None:
         length = len(text.splitlines())
         raise NothingToExplainError(f"{path}:{line} stands in no function (the file has {length} lines)")
-    case = re.search(r"^Load case: ([\w ]+)\.", text, re.MULTILINE)
-    names = {here.name} & set(known) or called(here, line, functions, set(known))
+    case = re.search(r"^Load case: ([\w ]+)[.,]", text, re.MULTILINE)
+    known = {*known, *(name + EACH for name in known)}
+    names = {here.name} & known or called(here, line, functions, known)
     if not names:
         raise NothingToExplainError(f"{path}:{line} stands in the function '{here.name}', which calls no formula")
-    return names, case[1].replace(" ", "_") if case else ""
+    return {name.removesuffix(EACH) for name in names}, case[1].replace(" ", "_") if case else ""
 
 
 def covers(node: ast.stmt, line: int) -> bool:

@@ -25,7 +25,8 @@ def given_numbers(options: argparse.Namespace) -> dict[str, float]:
 
 def parameters(scene: str, module: ModuleType, values: dict[str, float]) -> dict[str, float]:
     """The numbers that a module needs; MistakeError if one is missing or too many."""
-    wanted = list(inspect.signature(module.equilibria).parameters)
+    known = inspect.signature(module.equilibria).parameters.values()
+    wanted = [one.name for one in known if one.kind is not one.KEYWORD_ONLY]
     needs = f"scene '{scene}' needs {', '.join(map(spelled_option, wanted))}"
     for name in wanted:
         if name not in values:

@@ -36,15 +36,19 @@ def must_be_usable(folder: Path) -> None:
 
 
 def drift(files: Mapping[Path, str], folder: Path, *, complete: bool) -> list[str]:
-    """Lines of a diff from what lies on disk to what is emitted; complete means that no other module may lie there."""
+    """Lines of a diff from what lies on disk to what is emitted.
+
+    complete: no other emitted file may lie in the folders of those that are emitted.
+    """
     lines: list[str] = []
     for path, text in sorted(files.items()):
         there = read(path)
         if there != text:
             name = path.name if path.parent == folder else f"{path.parent.name}/{path.name}"
             lines += difference(f"on disk: {name}", there or "", f"emitted: {name}", text)
-    if complete and folder.is_dir():
-        for path in sorted(set(folder.glob("*.py")) - set(files)):
+    if complete:
+        folders = {folder, *(path.parent for path in files)}
+        for path in sorted({one for place in folders for one in place.glob("*.py")} - set(files)):
             there = read(path) or ""
             if MARK in there:
                 lines += difference(f"on disk: {path.name}", there, "emitted by no scene: remove it", "")

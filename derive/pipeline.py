@@ -130,6 +130,12 @@ def read_scenes(runner: Runner, scenes: Iterable[Path]) -> list[Task]:
     return tasks
 
 
+def explain_scenes(runner: Runner, tasks: Sequence[Task]) -> list[dict[str, Any]]:
+    """What the modules of these tasks leave out, and why."""
+    asked = [Task("left out", task.label, stages.explain_scene, task.inputs, task.paths) for task in tasks]
+    return runner.results(asked, stages.derived)
+
+
 def emit_modules(runner: Runner, job: Job, tasks: Sequence[Task]) -> None:
     """Print the modules and read them back."""
     job.modules = runner.results(tasks, stages.derived)

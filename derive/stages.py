@@ -169,11 +169,19 @@ def emit(scene_text: str, label: str, backend: str) -> dict[str, Any]:
     return {**found, "failure": "", "text": module.text, "proof": proof, "left_out": list(module.left_out)}
 
 
-def emit_formulas(family: str) -> str:
-    """The text of the kernels' own formulas, of one family."""
-    from derive.emit.module import emit_kernel_formulas
+def explain_scene(scene_text: str, label: str, backend: str) -> dict[str, Any]:
+    """What a module leaves out and why, with its text and that of the full module."""
+    from derive.emit.left_out import explain_scene
+    from derive.emit.scene import parse_scene
 
-    return str(emit_kernel_formulas(theory(), family))
+    return plain(explain_scene(theory(), parse_scene(scene_text, label), backend))
+
+
+def emit_kernels() -> dict[str, str]:
+    """The text of the kernel files that are emitted: the kernels' own formulas, and array instances."""
+    from derive.emit.committed import emit_kernels
+
+    return emit_kernels(theory())
 
 
 def list_rods(case: str, folded: dict[str, float]) -> int:

@@ -10,13 +10,14 @@ Formulas, each proved equal to its derivation:
     moment_from_side (exsl6), moment_from_top (exsl6), point_minus (exsl22), point_other (exsl22),
     point_plus (exsl22), rod_energy (slch5), side_moment (exsl6), straight_stiffness, tip_gamma (slch6),
     tip_gap (slch4)
-Digest of the inputs: sha256 66c679bebeae1b8f2c9ae9f12693ea0fd87e31b9c3ea11acf5248f0663229723
+Digest of the inputs: sha256 04e42ec5cc4e27cadffee5587edbb942b84e17893b4e82cd111dbb42b024ecef
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from operator import index
 from typing import Any, NamedTuple
 
 from mpmath import atan2, cos, eps, exp, isfinite, log, mp, mpf, pi, sin, sqrt, workdps
@@ -26,18 +27,24 @@ from mpmath import floor as mpf_floor
 
 __all__ = ["Equilibrium", "Shape", "Sweep", "equilibria", "shape", "sweep"]
 
+# Constants
+
+FEWEST = 15  # decimal digits
+MOST = 1000
+
 
 # Special functions
 
 
 def real(name, value):
     """A finite real number as an mpf, from a number or its decimal text; TypeError or ValueError names the argument."""
-    if isinstance(value, (bool, bytes, complex)):
-        raise TypeError(f"{name} must be a real number, got {value!r}")
+    numeric = getattr(getattr(value, "dtype", None), "kind", "f") in "fiu" and not getattr(value, "ndim", 0)
     try:
+        if isinstance(value, (bool, bytes, complex)) or not numeric:
+            raise TypeError(name)
         number = mpf(value)
-    except (TypeError, ValueError) as error:
-        raise TypeError(f"{name} must be a real number, got {value!r}") from error
+    except (TypeError, ValueError, ZeroDivisionError):
+        raise TypeError(f"{name} must be a real number, got {value!r}") from None
     if not isfinite(number):
         raise ValueError(f"{name} must be finite, got {value!r}")
     return number
@@ -339,6 +346,26 @@ def curvature_squared(drop, level):
 # Solver
 
 
+def integer(name: str, value: Any) -> int:
+    """An integer that is no truth value, or an error that names the argument."""
+    try:
+        number = None if isinstance(value, bool) else index(value)
+    except TypeError:
+        number = None
+    if number is None:
+        raise TypeError(f"{name} must be None or an integer, got {value!r}")
+    return number
+
+
+def digits(dps):
+    """The decimal digits to work with: those that are asked for, else the caller's; from 15 to 1000."""
+    wanted = mp.dps if dps is None else integer("dps", dps)
+    if not FEWEST <= wanted <= MOST:
+        whose = "dps" if dps is not None else "the precision of the caller, mp.dps,"
+        raise ValueError(f"{whose} must be from {FEWEST} to {MOST} digits, got {wanted}")
+    return wanted
+
+
 @dataclass(frozen=True, slots=True)
 class Rod:
     """What a shape needs beyond the tip: the rod, whole turns of the clamp angle, and how it was mirrored."""
@@ -362,12 +389,20 @@ class Tip(NamedTuple):
     passes: bool
 
 
+class Given(NamedTuple):
+    """The parameters of a rod as numbers, or of many as arrays of one length."""
+
+    beta: Any
+    length: Any
+    clamp_angle: Any
+
+
 def not_negative(name: str, value: object) -> mpf:
     """A real number ≥ 0, or an error that names the argument."""
     number = real(name, value)
     if number < 0:
         raise ValueError(f"{name} must not be negative, got {value!r}")
-    return number
+    return abs(number)  # no negative zero
 
 
 def positive(name: str, value: object) -> mpf:
@@ -378,11 +413,19 @@ def positive(name: str, value: object) -> mpf:
     return number
 
 
-def check(beta, length, clamp_angle):
-    """Raise TypeError or ValueError, naming the argument, unless the numbers make a rod."""
-    not_negative("beta", beta)
-    positive("length", length)
-    real("clamp_angle", clamp_angle)
+def one_rod(beta, length, clamp_angle):
+    """The parameters of one rod as numbers; TypeError or ValueError names the first that cannot be."""
+    return Given(not_negative("beta", beta), positive("length", length), real("clamp_angle", clamp_angle))
+
+
+def index_limit(max_index):
+    """The largest index of equilibria that are wanted: None for no limit, or an integer ≥ 0."""
+    if max_index is None:
+        return None
+    limit = integer("max_index", max_index)
+    if limit < 0:
+        raise ValueError(f"max_index must not be negative, got {max_index!r}")
+    return limit
 
 
 class Clamp(NamedTuple):
@@ -792,6 +835,18 @@ def all_equilibria(beta, length, clamp_angle):
     return sorted(found, key=lambda item: item.tip_angle)
 
 
+def each_of(convert, name, values):
+    """A number or a list, each converted under its own name."""
+    if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
+        return convert(name, values)
+    return [convert(f"{name}[{place}]", value) for place, value in enumerate(values)]
+
+
+def all_real(name, values):
+    """A number, or a sequence of them as a list; TypeError or ValueError names the argument and the place."""
+    return each_of(real, name, values)
+
+
 def part_arc(beta, tip, sigma, r, ratios):
     """∫(cos θ − ξ_ℓ) and ∫sin θ from the tip to a point of the first half-period.
 
@@ -847,12 +902,32 @@ def angle_and_position(equilibrium, s):
     return 2 * pi * rod.turns + angle, -turning, equilibrium.y - y, equilibrium.z - z
 
 
-class Given(NamedTuple):
-    """The arguments of a sweep."""
+def all_not_negative(name, values):
+    """Real numbers ≥ 0, or an error that names the argument and the index of the first that is none."""
+    return each_of(not_negative, name, values)
 
-    beta: Any
-    length: Any
-    clamp_angle: Any
+
+def all_positive(name, values):
+    """Real numbers > 0, or an error that names the argument and the index of the first that is none."""
+    return each_of(positive, name, values)
+
+
+def many_rods(beta, length, clamp_angle):
+    """The parameters of many rods as lists of one length; numbers are repeated.
+
+    TypeError or ValueError names the first argument that cannot be, and the index of its first bad value.
+    """
+    given = Given(all_not_negative("beta", beta), all_positive("length", length), all_real("clamp_angle", clamp_angle))
+    lengths = {len(part) for part in given if isinstance(part, list)}
+    if len(lengths - {1}) > 1:
+        sizes = [
+            f"{name} {len(part)}" for name, part in zip(given._fields, given, strict=True) if isinstance(part, list)
+        ]
+        raise ValueError(f"sequences must have one length: their lengths are {', '.join(sizes)}")
+    rows = 1 if not lengths or lengths == {1} else max(lengths - {1})
+    columns = [part if isinstance(part, list) else [part] for part in given]
+    parts = [column * rows if len(column) == 1 else column for column in columns]
+    return Given(*parts)
 
 
 # Interface
@@ -864,7 +939,9 @@ class Equilibrium:
 
     tip_angle: θ(ℓ), continuous from θ(0) = clamp_angle, not wrapped. clamp_curvature: θ′(0). gamma: constant of
     the first integral. y, z: position of the tip. energy: ∫(½θ′² − ½η(d₃·e)²)ds − β·y, in units of EI. index:
-    number of negative directions of the second variation; 0 means stable. rod and tip carry what ``shape`` needs.
+    number of negative directions of the second variation; 0 means stable.
+    rod: what ``shape`` needs beyond the tip.
+    tip: where the rod starts from, None if it is straight.
     """
 
     tip_angle: mpf
@@ -878,18 +955,20 @@ class Equilibrium:
     tip: Tip | None
 
 
-def equilibria(beta, length, clamp_angle, *, dps=None) -> list[Equilibrium]:
+def equilibria(beta, length, clamp_angle, *, max_index=None, dps=None) -> list[Equilibrium]:
     """All equilibria of one rod, sorted by tip angle.
 
     beta: terminal force over bending stiffness, F/(EI) ≥ 0.
     length: length of the rod, > 0.
     clamp_angle: θ(0), the angle from the y axis to the tangent at the clamp, in radians.
+    max_index: the largest index that is wanted, 0 for stable equilibria only; None for all.
 
     All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """
-    with workdps(mp.dps if dps is None else dps):
-        check(beta, length, clamp_angle)
-        return all_equilibria(real("beta", beta), real("length", length), real("clamp_angle", clamp_angle))
+    with workdps(digits(dps)):
+        rod, limit = one_rod(beta, length, clamp_angle), index_limit(max_index)
+        found = all_equilibria(rod.beta, rod.length, rod.clamp_angle)
+        return [item for item in found if limit is None or item.index <= limit]
 
 
 @dataclass(frozen=True, slots=True)
@@ -902,18 +981,29 @@ class Shape:
     z: Any
 
 
+def on_rod(equilibrium, s):
+    """The arc lengths; TypeError or ValueError if the first is no equilibrium, or an s not on its rod."""
+    if not isinstance(equilibrium, Equilibrium):
+        raise TypeError(f"equilibrium must be one that equilibria gives, got {equilibrium!r}")
+    places, length = all_real("s", s), equilibrium.rod.length
+    for place, number in enumerate(places if isinstance(places, list) else [places]):
+        if not 0 <= number <= length:
+            where = f"s[{place}]" if isinstance(places, list) else "s"
+            raise ValueError(f"{where} must lie in [0, {length}], the rod, got {number}")
+    return places
+
+
 def shape(equilibrium: Equilibrium, s, *, dps=None) -> Shape:
     """The shape of an equilibrium at arc lengths s from the clamp, a number or a sequence of them within [0, length].
 
-    theta, curvature, y and z are numbers, or lists as long as s. Raises ValueError where an s is not on the rod.
+    theta, curvature, y and z are numbers, or lists as long as s. Raises TypeError or ValueError where an s is not on
+    the rod.
     """
-    with workdps(mp.dps if dps is None else dps):
-        places = [real("s", place) for place in s] if isinstance(s, Iterable) else [real("s", s)]
-        if not all(0 <= place <= equilibrium.rod.length for place in places):
-            raise ValueError(f"s must lie in [0, {equilibrium.rod.length!r}], the rod")
+    with workdps(digits(dps)):
+        places = on_rod(equilibrium, s)
+        if not isinstance(places, list):
+            return Shape(*angle_and_position(equilibrium, places))
         rows = [angle_and_position(equilibrium, place) for place in places]
-        if not isinstance(s, Iterable):
-            return Shape(*rows[0])
         return Shape(*([row[k] for row in rows] for k in range(4)))
 
 
@@ -931,28 +1021,17 @@ class Sweep:
     index: Any
 
 
-def broadcast(values):
-    """Each value as a list of the common length: numbers are repeated."""
-    columns = [
-        list(value) if isinstance(value, Iterable) and not isinstance(value, str) else [value] for value in values
-    ]
-    rows = max(len(column) for column in columns)
-    if any(len(column) not in (1, rows) for column in columns):
-        raise ValueError(f"arguments have lengths {[len(column) for column in columns]}: give numbers or one length")
-    return [column * rows if len(column) == 1 else column for column in columns]
-
-
-def sweep(beta, length, clamp_angle, *, dps=None) -> Sweep:
+def sweep(beta, length, clamp_angle, *, max_index=None, dps=None) -> Sweep:
     """All equilibria of many rods: the arguments are numbers, or sequences of one length.
 
-    Raises ValueError where the lengths differ, and as ``equilibria`` does for each value, before any work.
+    max_index: the largest index that is wanted, 0 for stable equilibria only; None for all.
+
+    Raises TypeError or ValueError, naming the argument and the index of a bad value, before any work.
     """
-    with workdps(mp.dps if dps is None else dps):
-        given = Given(beta, length, clamp_angle)
-        rods = list(zip(*broadcast(given), strict=True))
-        for rod in rods:
-            check(*rod)
-        found = [(case, item) for case, rod in enumerate(rods) for item in equilibria(*rod)]
+    with workdps(digits(dps)):
+        given, limit = many_rods(beta, length, clamp_angle), index_limit(max_index)
+        rods = list(zip(*given, strict=True))
+        found = [(case, item) for case, rod in enumerate(rods) for item in equilibria(*rod, max_index=limit)]
         return Sweep(
             [case for case, _ in found],
             [item.tip_angle for _, item in found],

@@ -5,19 +5,20 @@ Emitted by `derive emit` from the scene 'parallel': do not edit, change the scen
 Gives: equilibria, shape, sweep.
 Load case: parallel. Valid for beta >= 0, eta >= 0, length > 0, any clamp_angle.
 Formulas, each proved equal to its derivation:
-    arc_length (DLMF 19.25.35), arc_square (DLMF 19.29(ii)), arc_y (exsl36), arc_z (exsl41),
-    curvature_squared (exsl8), drive_between (exsl13), drop_at_level (exsl13), drop_from_gaps (exsl13),
-    gap_below (exsl13), gap_from_side (exsl13), gap_minus_plus, gap_other_minus, gap_other_plus,
-    level_above_gap (exsl13), moment_from_side (exsl6), moment_from_top (exsl6), point_minus (exsl22),
-    point_other (exsl22), point_plus (exsl22), rising_level (exsl13), rod_energy (exsl8), side_moment (exsl6),
-    straight_stiffness, tip_gamma (exsl23), tip_gap (exsl13)
-Digest of the inputs: sha256 348c2bd56e2bc1ab3d713f7b7b7d6b320651865017c9a5dc0cbcc556ba015c47
+    arc_length (DLMF 19.25.35), arc_square (DLMF 19.29(ii)), arc_y (exsl36), arc_y_each (exsl36), arc_z (exsl41),
+    arc_z_each (exsl41), curvature_squared (exsl8), drive_between (exsl13), drop_at_level (exsl13),
+    drop_from_gaps (exsl13), gap_below (exsl13), gap_from_side (exsl13), gap_minus_plus, gap_other_minus,
+    gap_other_plus, level_above_gap (exsl13), moment_from_side (exsl6), moment_from_top (exsl6),
+    point_minus (exsl22), point_other (exsl22), point_plus (exsl22), rising_level (exsl13), rod_energy (exsl8),
+    side_moment (exsl6), straight_stiffness, tip_gamma (exsl23), tip_gap (exsl13)
+Digest of the inputs: sha256 fd358b7280b49f2a9aba12b1e9707d8db67e571ec2880c44eeaf586c23d7ab06
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from math import asin, atan2, ceil, cos, exp, floor, isfinite, log, pi, sin, sqrt
+from operator import index
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -30,9 +31,15 @@ __all__ = ["Equilibrium", "Shape", "Sweep", "equilibria", "shape", "sweep"]
 
 def real(name: str, value: object) -> float:
     """A finite real number as a float; TypeError or ValueError names the argument that is none."""
-    if isinstance(value, (str, bytes, bool, complex)) or not hasattr(value, "__float__"):
+    numeric = getattr(getattr(value, "dtype", None), "kind", "f") in "fiu" and not getattr(value, "ndim", 0)
+    if isinstance(value, (str, bytes, bool, complex)) or not numeric or not hasattr(value, "__float__"):
         raise TypeError(f"{name} must be a real number, got {value!r}")
-    number = float(value)
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} must be a real number, got {value!r}") from None
+    except OverflowError:
+        raise ValueError(f"{name} must be finite, got a number too large for a double") from None
     if not isfinite(number):
         raise ValueError(f"{name} must be finite, got {value!r}")
     return number
@@ -371,7 +378,7 @@ def arc_square(beta, eta, plus, minus, drive, gap, xi_tip, arc, x_plus, x_minus,
         beta * plus * minus * drive * rj(x_plus, x_minus, x_other, x_other + 0.25 * eta * plus * minus) / 6
         + plus * drive * (2 * beta + eta * plus) * rd(x_minus, x_other, x_plus) / 6
         + arc * (eta - beta * plus - eta * plus)
-        + plus * drive * np.sqrt(x_minus) * np.sqrt(x_other) / ((x_other + 0.25 * eta * plus * minus) * np.sqrt(x_plus))
+        + plus * drive * sqrt(x_minus) * sqrt(x_other) / ((x_other + 0.25 * eta * plus * minus) * sqrt(x_plus))
     )
 
 
@@ -381,6 +388,22 @@ def curvature_squared(drop, level):
     Equation exsl8; proved as tip.parallel.curvature_squared.
     """
     return drop * level
+
+
+def arc_y_each(eta, plus, minus, drive, xi_tip, arc, x_plus, x_minus, x_other):
+    """∫cos θ dσ from the tip to the point.
+
+    Equation exsl36; proved as tip.parallel.arc_y.
+    """
+    return xi_tip * arc - plus * minus * drive * rj(x_plus, x_minus, x_other, x_other + 0.25 * eta * plus * minus) / 6
+
+
+def arc_z_each(eta, plus, minus, sin_tip, x_other):
+    """∫sin θ dσ from the tip to the point, before θ passes 0 or π.
+
+    Equation exsl41; proved as tip.parallel.arc_z.
+    """
+    return sin_tip * rc(x_other, x_other + 0.25 * eta * plus * minus)
 
 
 # Solver
@@ -410,12 +433,21 @@ class Tip(NamedTuple):
     passes: bool
 
 
+class Given(NamedTuple):
+    """The parameters of a rod as numbers, or of many as arrays of one length."""
+
+    beta: Any
+    eta: Any
+    length: Any
+    clamp_angle: Any
+
+
 def not_negative(name: str, value: object) -> float:
     """A real number ≥ 0, or an error that names the argument."""
     number = real(name, value)
     if number < 0:
         raise ValueError(f"{name} must not be negative, got {value!r}")
-    return number
+    return abs(number)  # no negative zero
 
 
 def positive(name: str, value: object) -> float:
@@ -426,12 +458,35 @@ def positive(name: str, value: object) -> float:
     return number
 
 
-def check(beta, eta, length, clamp_angle):
-    """Raise TypeError or ValueError, naming the argument, unless the numbers make a rod."""
-    not_negative("beta", beta)
-    not_negative("eta", eta)
-    positive("length", length)
-    real("clamp_angle", clamp_angle)
+def one_rod(beta, eta, length, clamp_angle):
+    """The parameters of one rod as numbers; TypeError or ValueError names the first that cannot be."""
+    return Given(
+        not_negative("beta", beta),
+        not_negative("eta", eta),
+        positive("length", length),
+        real("clamp_angle", clamp_angle),
+    )
+
+
+def integer(name: str, value: Any) -> int:
+    """An integer that is no truth value, or an error that names the argument."""
+    try:
+        number = None if isinstance(value, bool) else index(value)
+    except TypeError:
+        number = None
+    if number is None:
+        raise TypeError(f"{name} must be None or an integer, got {value!r}")
+    return number
+
+
+def index_limit(max_index):
+    """The largest index of equilibria that are wanted: None for no limit, or an integer ≥ 0."""
+    if max_index is None:
+        return None
+    limit = integer("max_index", max_index)
+    if limit < 0:
+        raise ValueError(f"max_index must not be negative, got {max_index!r}")
+    return limit
 
 
 class Clamp(NamedTuple):
@@ -902,6 +957,32 @@ def all_equilibria(beta, eta, length, clamp_angle):
     return sorted(found, key=lambda item: item.tip_angle)
 
 
+def refuse(name, numbers, bad, why):
+    """Raise ValueError at the first number that is bad."""
+    if np.any(bad):
+        place = int(np.argmax(bad))
+        where = f"{name}[{place}]" if np.ndim(numbers) else name
+        raise ValueError(f"{where} {why}, got {float(np.ravel(numbers)[place])!r}")
+
+
+def all_real(name, values):
+    """A number or an array of them as finite doubles; TypeError or ValueError names the argument and the place."""
+    kind = getattr(getattr(values, "dtype", None), "kind", "")
+    if kind and kind in "fiu":
+        numbers = np.asarray(values, dtype=float)
+        refuse(name, numbers, ~np.isfinite(numbers), "must be finite")
+        return numbers
+    # What is no array of numbers by its type is looked at one by one: lists, fractions, and what must be refused.
+    try:
+        items = np.asarray(values, dtype=object)
+    except ValueError:
+        raise ValueError(f"{name} must be a number or an array: its rows have different lengths") from None
+    if not items.ndim:
+        return np.asarray(real(name, values))
+    flat = [real(f"{name}[{place}]", item) for place, item in enumerate(items.ravel().tolist())]
+    return np.asarray(flat, dtype=float).reshape(items.shape)
+
+
 def part_arc(beta, eta, tip, sigma, r, ratios):
     """∫(cos θ − ξ_ℓ) and ∫sin θ from the tip to a point of the first half-period.
 
@@ -911,8 +992,8 @@ def part_arc(beta, eta, tip, sigma, r, ratios):
     plus, minus = 2 * tip.half_cosine**2, 2 * tip.half_sine**2
     scaled = [ratios[name] * ratios[name] + 0 * r for name in "+-o"]
     drive = tip.drive
-    y = r**3 * arc_y(eta * r * r, plus, minus, drive, 0, 0, *scaled)
-    z = r * arc_z(eta * r * r, plus, minus, 2 * tip.half_sine * tip.half_cosine, scaled[2])
+    y = r**3 * arc_y_each(eta * r * r, plus, minus, drive, 0, 0, *scaled)
+    z = r * arc_z_each(eta * r * r, plus, minus, 2 * tip.half_sine * tip.half_cosine, scaled[2])
     return y, z
 
 
@@ -958,13 +1039,37 @@ def angle_and_position(equilibrium, s):
     return 2 * pi * rod.turns + angle, -turning, equilibrium.y - y, equilibrium.z - z
 
 
-class Given(NamedTuple):
-    """The arguments of a sweep."""
+def all_not_negative(name, values):
+    """Real numbers ≥ 0, or an error that names the argument and the flat index of the first that is none."""
+    numbers = all_real(name, values)
+    refuse(name, numbers, numbers < 0, "must not be negative")
+    return np.abs(numbers)  # no negative zero
 
-    beta: Any
-    eta: Any
-    length: Any
-    clamp_angle: Any
+
+def all_positive(name, values):
+    """Real numbers > 0, or an error that names the argument and the flat index of the first that is none."""
+    numbers = all_real(name, values)
+    refuse(name, numbers, numbers <= 0, "must be positive")
+    return numbers
+
+
+def many_rods(beta, eta, length, clamp_angle):
+    """The parameters of many rods as flat arrays, broadcast against one another.
+
+    TypeError or ValueError names the first argument that cannot be, and the flat index of its first bad value.
+    """
+    given = Given(
+        all_not_negative("beta", beta),
+        all_not_negative("eta", eta),
+        all_positive("length", length),
+        all_real("clamp_angle", clamp_angle),
+    )
+    try:
+        parts = [part.ravel() for part in np.broadcast_arrays(*given)]
+    except ValueError:
+        shapes = ", ".join(f"{name} {np.shape(part)}" for name, part in zip(given._fields, given, strict=True))
+        raise ValueError(f"the arguments do not broadcast against one another: their shapes are {shapes}") from None
+    return Given(*parts)
 
 
 # Interface
@@ -976,7 +1081,9 @@ class Equilibrium:
 
     tip_angle: θ(ℓ), continuous from θ(0) = clamp_angle, not wrapped. clamp_curvature: θ′(0). gamma: constant of
     the first integral. y, z: position of the tip. energy: ∫(½θ′² − ½η(d₃·e)²)ds − β·y, in units of EI. index:
-    number of negative directions of the second variation; 0 means stable. rod and tip carry what ``shape`` needs.
+    number of negative directions of the second variation; 0 means stable.
+    rod: what ``shape`` needs beyond the tip.
+    tip: where the rod starts from, None if it is straight.
     """
 
     tip_angle: float
@@ -990,20 +1097,20 @@ class Equilibrium:
     tip: Tip | None
 
 
-def equilibria(beta, eta, length, clamp_angle) -> list[Equilibrium]:
+def equilibria(beta, eta, length, clamp_angle, *, max_index=None) -> list[Equilibrium]:
     """All equilibria of one rod, sorted by tip angle.
 
     beta: terminal force over bending stiffness, F/(EI) ≥ 0.
     eta: magnetic modulus over bending stiffness, η̃/(EI) ≥ 0.
     length: length of the rod, > 0.
     clamp_angle: θ(0), the angle from the y axis to the tangent at the clamp, in radians.
+    max_index: the largest index that is wanted, 0 for stable equilibria only; None for all.
 
     All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """
-    check(beta, eta, length, clamp_angle)
-    return all_equilibria(
-        real("beta", beta), real("eta", eta), real("length", length), real("clamp_angle", clamp_angle)
-    )
+    rod, limit = one_rod(beta, eta, length, clamp_angle), index_limit(max_index)
+    found = all_equilibria(rod.beta, rod.eta, rod.length, rod.clamp_angle)
+    return [item for item in found if limit is None or item.index <= limit]
 
 
 @dataclass(frozen=True, slots=True)
@@ -1016,15 +1123,22 @@ class Shape:
     z: Any
 
 
+def on_rod(equilibrium, s):
+    """The arc lengths as doubles; TypeError or ValueError if the first is no equilibrium, or an s not on its rod."""
+    if not isinstance(equilibrium, Equilibrium):
+        raise TypeError(f"equilibrium must be one that equilibria gives, got {equilibrium!r}")
+    places, length = all_real("s", s), equilibrium.rod.length
+    refuse("s", places, (places < 0) | (places > length), f"must lie in [0, {length!r}], the rod")
+    return places
+
+
 def shape(equilibrium: Equilibrium, s) -> Shape:
     """The shape of an equilibrium at arc lengths s from the clamp, a number or an array within [0, length].
 
-    theta, curvature, y and z have the shape of s. Raises ValueError where an s is not on the rod.
+    theta, curvature, y and z have the shape of s. Raises TypeError or ValueError where an s is not on the rod.
     """
-    s = np.asarray(s, dtype=float)
-    if not np.all((s >= 0) & (s <= equilibrium.rod.length)):
-        raise ValueError(f"s must lie in [0, {equilibrium.rod.length!r}], the rod")
-    return Shape(*angle_and_position(equilibrium, s))
+    places = on_rod(equilibrium, s)
+    return Shape(*angle_and_position(equilibrium, places))
 
 
 @dataclass(frozen=True, slots=True)
@@ -1041,16 +1155,16 @@ class Sweep:
     index: Any
 
 
-def sweep(beta, eta, length, clamp_angle) -> Sweep:
+def sweep(beta, eta, length, clamp_angle, *, max_index=None) -> Sweep:
     """All equilibria of many rods: the arguments are numbers or arrays, broadcast against one another.
 
-    Raises ValueError where they do not broadcast, and as ``equilibria`` does for each value, before any work.
+    max_index: the largest index that is wanted, 0 for stable equilibria only; None for all.
+
+    Raises TypeError or ValueError, naming the argument and the flat index of a bad value, before any work.
     """
-    given = Given(beta, eta, length, clamp_angle)
-    rods = list(zip(*(part.ravel().tolist() for part in np.broadcast_arrays(*given)), strict=True))
-    for rod in rods:
-        check(*rod)
-    found = [(case, item) for case, rod in enumerate(rods) for item in equilibria(*rod)]
+    given, limit = many_rods(beta, eta, length, clamp_angle), index_limit(max_index)
+    rods = list(zip(*(part.tolist() for part in given), strict=True))
+    found = [(case, item) for case, rod in enumerate(rods) for item in equilibria(*rod, max_index=limit)]
     return Sweep(
         np.array([case for case, _ in found], dtype=int),
         np.array([item.tip_angle for _, item in found], dtype=float),

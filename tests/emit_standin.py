@@ -59,6 +59,14 @@ def real(name, value):
     """A real number."""
     return float(value)
 ''',
+    "arguments_mpmath": '''
+"""Arguments."""
+from mpmath import mp
+
+def digits(dps):
+    """Digits to work with."""
+    return mp.dps if dps is None else dps
+''',
     "arithmetic_mpmath": '''
 """Scalars."""
 from mpmath import cos, eps, mpf, pi, sin, sqrt

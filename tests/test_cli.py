@@ -286,3 +286,16 @@ def test_drift_shows_missing_changed_and_stale_modules(tmp_path: Path) -> None:
     assert "+++ emitted by no scene: remove it\n" in text
     assert "own.py" not in text
     assert "stale.py" not in "".join(output.drift(files, tmp_path, complete=False))
+
+
+def test_drift_shows_an_emitted_kernel_that_nothing_gives_any_more(tmp_path: Path) -> None:
+    kernels, modules = tmp_path / "kernels", tmp_path / "modules"
+    for folder in (kernels, modules):
+        folder.mkdir()
+    (kernels / "old_each.py").write_text(f'"""{output.MARK} from kernels/old.py."""\n')
+    (kernels / "written.py").write_text('"""Written by hand."""\n')
+    files = {modules / "a.py": "a\n", kernels / "formulas.py": "b\n"}
+    output.write_all(files)
+    text = "".join(output.drift(files, modules, complete=True))
+    assert "--- on disk: old_each.py\n+++ emitted by no scene: remove it\n" in text
+    assert "written.py" not in text

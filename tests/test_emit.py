@@ -16,13 +16,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from sympy import Integer, Rational, pi, sqrt, symbols
 
+from derive.emit.committed import formulas_text
 from derive.emit.constants import parse_constant
 from derive.emit.errors import EmitError, SceneError
-from derive.emit.module import emit_kernel_formulas, emit_module
+from derive.emit.module import emit_module
 from derive.emit.printer import formula_function
 from derive.emit.proof import check_names, prove_formulas
 from derive.emit.scene import load_scene, parse_scene
-from derive.emit.style import wrap
+from derive.emit.style import expression, wrap
 from derive.measure.loading import load
 from derive.resources import shipped_scenes
 from derive.theory.claims import Formula
@@ -58,7 +59,7 @@ def test_shipped_scenes_are_read():
     [
         (HEAD.replace("case", "caze"), 3, "possible: backends, case, name, outputs, title"),
         (HEAD.replace('"parallel"', '"paralel"'), 3, "did you mean 'parallel'"),
-        (HEAD.replace('"shape"', '"shapes"'), 4, "possible: equilibria, literal, shape, sweep"),
+        (HEAD.replace('"shape"', '"shapes"'), 4, "possible: equilibria, folds, literal, shape, sweep"),
         (HEAD + 'backends = ["fortran"]\n', 5, "possible: mpmath, numpy"),
         (HEAD + "title = 3\n", 5, "must be a string"),
         (HEAD + "[constants]\nlenght = 80\n", 6, "did you mean 'length'"),
@@ -152,9 +153,8 @@ def test_checks_of_arguments_survive_folding():
     ("old", "new", "says"),
     [
         ("root_other(eta, 1 + xi, 1 - xi)", "cos_bottom(beta, eta)", "cos_bottom, which the load case does not have"),
-        ("rod = Rod(beta, eta, real", "rod = Rod(beta, beta, real", "something else than the folded eta"),
-        ("return level(beta, eta)", "return level(*[beta, eta])", "write them out"),
-        ("level(beta, eta) *", "max(map(level, [beta], [eta])) *", "passed on as a value"),
+        ("total = drive", "total = level(*[beta, eta]) + drive", "write them out"),
+        ("total = drive", "total = max(map(level, [beta], [eta])) + drive", "passed on as a value"),
     ],
 )
 def test_kernels_that_cannot_be_folded_are_refused(old, new, says):
@@ -183,6 +183,37 @@ def function(name, module):
 def test_import_time_work_is_refused():
     with pytest.raises(EmitError, match="no work when imported"):
         emitted(kernels={"search": SAMPLE["search"] + "\nprint(1)\n"})
+
+
+@pytest.mark.parametrize("backend", ["numpy", "mpmath"])
+def test_a_constant_record_is_written_where_it_is_used(backend):
+    """Constants stand before classes: one that is built by a class would not be found there."""
+    search = SAMPLE["search"].replace("def solve", "NONE = Rod(0, 0, 1)\n\n\ndef solve")
+    search = search.replace("total = drive * drive", "total = NONE.length - 1 + drive * drive")
+    module = emitted(backend=backend, kernels={"search": search})
+    assert "Rod(0, 0, 1).length" in module.text
+    rod = (0.7, 1.3, 2.5, 2.1)
+    (got,), (expected,) = (load(one.text).equilibria(*rod) for one in (module, emitted(backend=backend)))
+    assert float(got.value) == pytest.approx(float(expected.value), rel=1e-15)
+
+
+@pytest.mark.parametrize("backend", ["numpy", "mpmath"])
+def test_one_name_of_two_modules_keeps_its_alias(backend):
+    """log and a complex log beside each other; in mpmath both are the same function."""
+    files = {
+        "arithmetic": SAMPLE["arithmetic"].replace(
+            "from math import cos", "from cmath import log as c_log\nfrom math import cos, log"
+        ),
+        "arithmetic_mpmath": SAMPLE["arithmetic_mpmath"].replace("import cos,", "import cos, log, log as c_log,"),
+        "search": SAMPLE["search"]
+        .replace("import cos, pi", "import c_log, cos, log, pi")
+        .replace("total = drive", "total = log(2) - abs(c_log(2)) + drive"),
+    }
+    module = emitted(backend=backend, kernels=files)
+    check_names(module.text, module.path, backend)
+    assert ("c_log" in module.text) == (backend == "numpy")
+    (got,), (expected,) = (load(one.text).equilibria(0.7, 1.3, 2.5, 2.1) for one in (module, emitted(backend=backend)))
+    assert float(got.value) == pytest.approx(float(expected.value), rel=1e-14)
 
 
 # The mpmath twin
@@ -271,9 +302,7 @@ def random_expressions():
 def test_printed_formulas_read_back(expression, common):
     formula = Formula("f", RANDOM, expression, "test.f", "Random")
     text = ast.unparse(ast.fix_missing_locations(formula_function(formula, common=common)))
-    head = (
-        "from derive.emit.kernels.array_arithmetic import each_sqrt\nfrom derive.emit.kernels.carlson import rf, rc\n"
-    )
+    head = "from derive.emit.kernels.arithmetic import sqrt\nfrom derive.emit.kernels.carlson import rf, rc\n"
     (proof,) = prove_formulas(f"{head}\n{text}", [formula], "text.py")
     assert proof.method
 
@@ -329,7 +358,7 @@ def test_equal_but_rewritten_text_is_proved():
 
 
 def test_kernel_formulas_are_emitted():
-    text = emit_kernel_formulas(THEORY)
+    text = formulas_text(THEORY)
     general = [formula for formula in FORMULAS if formula.case == "parallel"]
     assert len(prove_formulas(text, general, "formulas.py")) == len(general)
     assert "rj(x_plus, x_minus, x_other, x_other + 0.25 * eta * plus * minus)" in text
@@ -347,10 +376,11 @@ def test_common_subexpressions_on_request():
 def test_same_bytes_for_every_hash_seed():
     script = (
         "from emit_standin import THEORY, SAMPLE\n"
-        "from derive.emit.module import emit_module, emit_kernel_formulas\n"
+        "from derive.emit.committed import formulas_text\n"
+        "from derive.emit.module import emit_module\n"
         "from derive.emit.scene import parse_scene\n"
         "import hashlib\n"
-        "text = emit_kernel_formulas(THEORY)\n"
+        "text = formulas_text(THEORY)\n"
         "for case in ('parallel', 'force_only'):\n"
         "    for backend in ('numpy', 'mpmath'):\n"
         '        scene = parse_scene(f\'[scene]\\nname="x"\\ncase="{case}"\\noutputs=["equilibria", "shape"]\')\n'
@@ -383,6 +413,15 @@ def test_long_lines_are_broken():
     assert ast.dump(ast.parse("def f():\n" + "\n".join(lines))) == ast.dump(ast.parse(f"def f():\n    {text}"))
     call = "value = function(" + ", ".join(f"argument_{k}" for k in range(30)) + ")"
     assert ast.dump(ast.parse("\n".join(wrap(call, "")))) == ast.dump(ast.parse(call))
+
+
+@pytest.mark.parametrize(
+    "text", ["x, y = (f(a, b) for a, b in zip(u, v))", "x = (a, b)", "return (a, (b, c))", "x = tuple((a for a in b))"]
+)
+def test_statements_are_printed_as_they_are_meant(text):
+    body = ast.parse(f"def f():\n    {text}").body[0].body[0]
+    again = ast.parse(f"def f():\n    {expression(body)}").body[0].body[0]
+    assert ast.dump(again) == ast.dump(body)
 
 
 # The house rules

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from sympy import Integer
 from test_theory_steps import ROOTS
 
 from derive import explain, stages
@@ -12,7 +13,10 @@ from derive.cli import main
 from derive.grounds import GROUNDS
 from derive.paper.ledger import load_ledger
 from derive.paper.text_claims import load_claims
+from derive.theory.claims import Formula
 
+NAMES = ("arc_y", "arc_y_each")
+CASES = (("a", "oblique"), ("b", "oblique"), ("a", "orthogonal"), ("b", "parallel"))
 # Sections that hold for a rod of any energy, and the properties of elliptic functions.
 ANY_ENERGY = {"kirchhoff", "line_energy", "variation", "plane", "planarity"}
 ELLIPTIC = {"exsl28", "exsl34", "exhpf14"}
@@ -49,3 +53,17 @@ def test_the_printed_form_and_its_verdict_come_first(capsys: pytest.CaptureFixtu
     assert repair.strip().startswith("holds: ")
     assert main(["explain", "weierstrass.resolvent"]) == 0
     assert "printed:" not in capsys.readouterr().out
+
+
+def test_the_array_instance_of_a_formula_leads_back_as_the_formula_does() -> None:
+    lines = Path("generated/parallel_numpy.py").read_text(encoding="utf-8").splitlines()
+    places = {name: next(k for k, line in enumerate(lines, 1) if line.startswith(f"def {name}(")) for name in NAMES}
+    chains = [explain.explain(f"parallel_numpy:{place}", Path("generated")) for place in places.values()]
+    assert chains[0]["starts"] == chains[1]["starts"] == ["tip.parallel.arc_y"]
+
+
+def test_a_module_has_formulas_of_its_load_case_or_those_for_any_field_angle() -> None:
+    made = [Formula(name, (), Integer(1), f"{case}.{name}", "", case) for name, case in CASES]
+    found = explain.stood_for(made, {"a", "b"}, "orthogonal")
+    assert [one.claim for one in found] == ["oblique.b", "orthogonal.a"]
+    assert explain.stood_for(made, {"a", "b"}, "") == made

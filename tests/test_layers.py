@@ -31,6 +31,7 @@ RANK = {
     "show": 9,
     "commands": 10,
     "commands_check": 11,
+    "commands_emit": 11,
     "commands_explain": 11,
     "commands_report": 12,
     "cli": 13,

@@ -30,7 +30,8 @@ class Backend:
 
     packages: top-level packages that emitted code may import besides the standard library. builtins: builtin names
     that mean something else here. exact: numbers are kept exact, so constants are written inside functions, where the
-    caller's precision holds. skipped: kernel-file suffixes of the other twins.
+    caller's precision holds. elementwise: there are arrays; where there are none, what is wanted of an array instance
+    is taken from the scalar one.
     """
 
     name: str
@@ -38,6 +39,7 @@ class Backend:
     packages: tuple[str, ...]
     number: str
     exact: bool = False
+    elementwise: bool = True
     builtins: Mapping[str, External] = field(default_factory=dict)
 
 
@@ -49,12 +51,12 @@ BACKENDS: dict[str, Backend] = {
         ("mpmath",),
         "mpf",
         exact=True,
+        elementwise=False,
         builtins={"float": External("mpmath", "mpf", "mpf")},
     ),
 }
 
-# Functions of the theory: the kernel file and the name by which formulas call them. Formulas are evaluated on scalars
-# and on arrays alike, so what has an elementwise form is called by it.
+# Functions of the theory: the kernel file and the name by which formulas call them on scalars; no file: a builtin.
 FUNCTIONS: dict[str, tuple[str, str]] = {
     "RF": ("carlson", "rf"),
     "RC": ("carlson_each", "rc"),
@@ -65,6 +67,20 @@ FUNCTIONS: dict[str, tuple[str, str]] = {
     "cos": ("arithmetic", "cos"),
     "atan": ("arithmetic", "atan"),
     "atan2": ("arithmetic", "atan2"),
+    "asinh": ("arithmetic", "asinh"),
+    "Abs": ("", "abs"),
+    "pi": ("arithmetic", "pi"),
+}
+# The same on arrays. A formula that holds a function without a row here has no array instance.
+EACH_FUNCTIONS: dict[str, tuple[str, str]] = {
+    "RC": ("carlson_each", "rc"),
+    "RJ": ("carlson_each", "rj"),
+    "RD": ("carlson_each", "rd"),
+    "sqrt": ("array_arithmetic", "each_sqrt"),
+    "sin": ("array_arithmetic", "each_sin"),
+    "cos": ("array_arithmetic", "each_cos"),
+    "atan": ("array_arithmetic", "each_atan"),
+    "atan2": ("array_arithmetic", "each_atan2"),
     "asinh": ("array_arithmetic", "each_asinh"),
     "Abs": ("array_arithmetic", "each_abs"),
     "asin": ("inverses", "near_asin"),
@@ -77,8 +93,16 @@ FUNCTIONS: dict[str, tuple[str, str]] = {
     "pi": ("arithmetic", "pi"),
 }
 
-# The kernel file from which kernels import the formulas of a family; `derive emit` writes it.
-FORMULA_FILES = {"solver": "formulas", "article": "article_formulas"}
+# Kernel files on scalars that are wanted on arrays too, and the file of that instance: it is emitted beside them, with
+# ``array_arithmetic`` for ``arithmetic`` and a suffix to every name (see ``instances``).
+ARRAY_INSTANCES: dict[str, str] = {}
+EACH = "_each"  # suffix of functions and formulas of an array instance, and of their files
+EACH_CLASS = "Each"  # suffix of its classes
+FORMULAS = ("formulas", f"formulas{EACH}")  # the files of the solver's formulas, on scalars and on arrays
+# The kernel files from which kernels import formulas, their family, and whether they are on arrays; all are emitted.
+FORMULA_FILES = {FORMULAS[0]: ("solver", False), FORMULAS[1]: ("solver", True), "article_formulas": ("article", True)}
+# Names of ``arithmetic`` that are scalars in both.
+SHARED = ("epsilon", "inf", "pi")
 
 # Sections of an emitted module, in order, and where the units of a kernel file go.
 SECTIONS = {
@@ -88,10 +112,17 @@ SECTIONS = {
     "solver": "Solver",
     "interface": "Interface",
 }
-RESULTS = ("Equilibrium", "Shape", "Sweep")  # classes of what the outputs return, wherever a kernel defines them
+RESULTS = (
+    "Equilibrium",
+    "Shape",
+    "Sweep",
+    "Folds",
+)  # classes of what the outputs return, wherever a kernel defines them
+# By what a result is known to the caller. Its other fields are carried for further outputs.
+KNOWN_BY = {"Equilibrium": ("tip_angle", "clamp_curvature", "gamma", "y", "z", "energy", "index")}
 FILE_SECTIONS = {
     **dict.fromkeys(("arithmetic", "array_arithmetic", "carlson", "carlson_each", "agm"), "special"),
     **dict.fromkeys(("inverses", "weierstrass"), "special"),
-    "formulas": "formulas",
+    **dict.fromkeys(FORMULA_FILES, "formulas"),
     "api": "interface",
 }

@@ -4,26 +4,34 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from typing import Any
 
-from derive.emit.errors import EmitError
-from derive.emit.pieces import Piece
+from derive.emit.errors import DifferentValueError, EmitError
+from derive.emit.pieces import Piece, bound_names
 from derive.emit.values import value_of
 
 
 def drop_parameters(
-    pieces: Mapping[str, Piece], drops: Mapping[str, Collection[str]], everywhere: Mapping[str, Any]
+    pieces: Mapping[str, Piece],
+    drops: Mapping[str, Collection[str]],
+    everywhere: Callable[[Piece], Collection[str]] = lambda piece: (),
+    folded: Mapping[str, Any] | None = None,
 ) -> None:
     """Drop ``drops[name]`` from each function or class and its calls, ``everywhere`` from methods and inner functions.
 
-    ``everywhere`` maps folded parameters to their values: an argument that is dropped for one of them must be that
-    value. Positional arguments are matched against ``Piece.parameters``, which are brought up to date.
+    folded: the values of folded parameters: an argument that is dropped for one of them must be that value, or
+    DifferentValueError names all that are not. Positional arguments are matched against
+    ``Piece.parameters``, which are brought up to date.
     """
+    different: dict[tuple[str, str], str] = {}
     for piece in pieces.values():
         if piece.kind != "formula":
-            _Definitions(piece, set(drops.get(piece.name, ())), set(everywhere)).visit(piece.node)
-            _Calls(piece, pieces, drops, everywhere).visit(piece.node)
+            known = everywhere(piece)
+            _Definitions(piece, set(drops.get(piece.name, ())), set(known)).visit(piece.node)
+            _Calls(piece, pieces, drops, known, folded or {}, different).visit(piece.node)
+    if different:
+        raise DifferentValueError(next(iter(different.values())), different)
     for name, gone in drops.items():
         pieces[name].parameters = tuple(p for p in pieces[name].parameters if p not in gone)
 
@@ -96,9 +104,13 @@ class _Calls(ast.NodeTransformer):
         piece: Piece,
         pieces: Mapping[str, Piece],
         drops: Mapping[str, Collection[str]],
-        everywhere: Mapping[str, Any],
+        everywhere: Collection[str],
+        folded: Mapping[str, Any],
+        different: dict[tuple[str, str], str],
     ) -> None:
         self.piece, self.pieces, self.drops, self.everywhere = piece, pieces, drops, everywhere
+        self.folded, self.different = folded, different
+        self.bound = bound_names(piece.node)  # what a local name hides
         self.inner = {
             node.name: tuple(a.arg for a in node.args.args)
             for node in ast.walk(piece.node)
@@ -114,9 +126,9 @@ class _Calls(ast.NodeTransformer):
         if isinstance(func, ast.Name) and func.id == "partial" and node.args:
             func, skip = node.args[0], 1
         if isinstance(func, ast.Name) and func.id in self.pieces:
-            self._remove(node, self.pieces[func.id].parameters, self.drops.get(func.id, ()), skip)
+            self._remove(node, func.id, self.pieces[func.id].parameters, self.drops.get(func.id, ()), skip)
         elif isinstance(func, ast.Name) and func.id in self.inner:
-            self._remove(node, self.inner[func.id], self.everywhere, skip)
+            self._remove(node, "", self.inner[func.id], self.everywhere, skip)
         else:
             node.keywords = [k for k in node.keywords if k.arg not in self.everywhere]
         node.args = [self.visit(argument) if not _named(argument, func) else argument for argument in node.args]
@@ -125,27 +137,32 @@ class _Calls(ast.NodeTransformer):
             node.func = self.visit(node.func)
         return node
 
-    def _remove(self, node: ast.Call, parameters: tuple[str, ...], gone: Collection[str], skip: int) -> None:
+    def _remove(
+        self, node: ast.Call, callee: str, parameters: tuple[str, ...], gone: Collection[str], skip: int
+    ) -> None:
         if not gone:
             return
         first, rest = node.args[:skip], node.args[skip:]
         positions = {index for index, name in enumerate(parameters) if name in gone}
         starred = next((index for index, argument in enumerate(rest) if isinstance(argument, ast.Starred)), len(rest))
-        only = rest[0] if len(rest) == 1 and not node.keywords else None
+        only = rest[0] if len(rest) == 1 and all(k.arg and k.arg not in gone for k in node.keywords) else None
         if isinstance(only, ast.Starred) and isinstance(only.value, ast.Name):
             return  # f(*rod): the tuple has lost the same members, or the run of the module fails
         if starred < len(rest) and any(index >= starred for index in positions):
             raise self.error(node, f"a call with *arguments hides which of {sorted(gone)} to drop; write them out")
         given = [(name, argument) for name, argument in zip(parameters, rest, strict=False)]
         for name, argument in [*given, *((str(k.arg), k.value) for k in node.keywords)]:
-            if name in gone and name in self.everywhere and value_of(argument) != self.everywhere[name]:
-                text = f"gives '{name}' something else than the folded {name} = {self.everywhere[name]}"
-                raise self.error(node, f"{text}; give that parameter or field of the kernel another name")
+            if name in gone and name in self.folded and value_of(argument) != self.folded[name]:
+                text = f"gives '{name}' something else than the folded {name} = {self.folded[name]}"
+                error = self.error(node, f"{text}; give that parameter or field of the kernel another name")
+                if not callee or self.pieces[callee].formula:
+                    raise error
+                self.different.setdefault((callee, name), str(error))
         node.args = first + [argument for index, argument in enumerate(rest) if index not in positions]
         node.keywords = [k for k in node.keywords if k.arg not in gone]
 
     def visit_Name(self, node: ast.Name) -> ast.AST:
-        target = self.pieces.get(node.id)
+        target = self.pieces.get(node.id) if node.id not in self.bound else None
         if isinstance(node.ctx, ast.Load) and target and target.kind != "class" and self.drops.get(node.id):
             message = (
                 f"'{node.id}' loses {sorted(self.drops[node.id])} and is passed on as a value; call it in a lambda"

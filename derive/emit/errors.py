@@ -18,6 +18,14 @@ class SceneError(EmitError):
         super().__init__(f"{place}: {message}")
 
 
+class DifferentValueError(EmitError):
+    """Calls give parameters or fields with the name of a folded constant another value; ``pairs``: (callee, name)."""
+
+    def __init__(self, message: str, pairs: Iterable[tuple[str, str]]) -> None:
+        self.pairs = frozenset(pairs)
+        super().__init__(message)
+
+
 def choices(wrong: str, possible: Iterable[str]) -> str:
     """The end of an error message: a close match, if there is one, and all that is possible."""
     names = sorted(possible)

@@ -15,7 +15,6 @@ from typing import Any
 import sympy
 from sympy import Integer, S
 
-from derive.emit.scene import PARAMETERS
 from derive.emit.values import Exact, decide, exact, truth, value_of
 
 _OPERATIONS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
@@ -25,9 +24,11 @@ _OPERATIONS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.Div: operator.truediv,
     ast.Pow: operator.pow,
 }
-# Functions that fold when their result is rational (or, for the first row, always).
 # Functions that give back their last argument when it is a constant within its domain: real(name, value) and the like.
-_IDENTITIES = ("float", "mpf", "real", "not_negative", "positive")
+_CHECKS = ("real", "not_negative", "positive")
+_IDENTITIES = ("float", "mpf", *_CHECKS, *(f"all_{check}" for check in _CHECKS))
+_SCALINGS = ("ldexp",)  # functions that give back 0 for 0
+# Functions that fold when their result is rational.
 _FUNCTIONS: dict[str, Callable[[Any], Any]] = {
     name: getattr(sympy, name) for name in ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "sinh", "cosh")
 } | {"abs": sympy.Abs, "isfinite": lambda value: S.true}
@@ -36,8 +37,15 @@ _FUNCTIONS: dict[str, Callable[[Any], Any]] = {
 class _Folder(ast.NodeTransformer):
     """Replaces folded names by their values and works out what follows."""
 
-    def __init__(self, values: Mapping[str, Any], calls: Mapping[str, Any], modules: Collection[str]) -> None:
+    def __init__(
+        self,
+        values: Mapping[str, Any],
+        calls: Mapping[str, Any],
+        modules: Collection[str],
+        fields: Mapping[str, Any] | None = None,
+    ) -> None:
         self.values = dict(values)  # names whose loads become values
+        self.fields = fields or {}  # attributes whose loads do
         self.calls = calls  # functions whose calls are constant
         self.modules = modules  # names of imported modules: np.beta is not a scene parameter
 
@@ -47,8 +55,8 @@ class _Folder(ast.NodeTransformer):
 
     def visit_Attribute(self, node: ast.Attribute) -> ast.expr:
         of_module = isinstance(node.value, ast.Name) and node.value.id in self.modules
-        if isinstance(node.ctx, ast.Load) and node.attr in self.values and node.attr in PARAMETERS and not of_module:
-            return exact(self.values[node.attr], node)
+        if isinstance(node.ctx, ast.Load) and node.attr in self.fields and not of_module:
+            return exact(self.fields[node.attr], node)
         self.generic_visit(node)
         return node
 
@@ -83,6 +91,8 @@ class _Folder(ast.NodeTransformer):
         name = node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")
         if name in self.calls and isinstance(node.func, ast.Name):
             return exact(self.calls[name], node)
+        if name in _SCALINGS and node.args and isinstance(node.args[0], Exact) and node.args[0].value == 0:
+            return exact(0, node)
         if node.args and isinstance(node.args[-1], Exact) and not node.keywords:
             argument = node.args[-1].value
             if name in _IDENTITIES:
@@ -130,7 +140,7 @@ class _Folder(ast.NodeTransformer):
             if not isinstance(value, Exact):
                 kept.append(value)
             elif bool(truth(value)) == absorbing:
-                if not kept:
+                if all(map(_looks, kept)):
                     return exact(absorbing, node)
                 kept.append(exact(absorbing, value))
                 break
@@ -141,17 +151,26 @@ class _Folder(ast.NodeTransformer):
 
     def visit_IfExp(self, node: ast.IfExp) -> ast.expr:
         self.generic_visit(node)
-        return (node.body if truth(node.test) else node.orelse) if isinstance(node.test, Exact) else node
+        body, orelse = node.body, node.orelse
+        if isinstance(node.test, Exact):
+            return body if truth(node.test) else orelse
+        same = isinstance(body, Exact) and isinstance(orelse, Exact) and body.value == orelse.value
+        return body if same and not any(isinstance(n, ast.NamedExpr) for n in ast.walk(node.test)) else node
 
 
-def fold(node: Any, values: Mapping[str, Any], calls: Mapping[str, Any], modules: Collection[str]) -> Any:
-    """``node`` with loads of the names in ``values``, and calls of those in ``calls``, replaced and worked out."""
-    return _Folder(values, calls, modules).visit(node)
+def fold(node: Any, values: Mapping[str, Any], fields: Mapping[str, Any], modules: Collection[str]) -> Any:
+    """``node`` with loads of the names in ``values``, and of attributes in ``fields``, replaced and worked out."""
+    return _Folder(values, {}, modules, fields).visit(node)
 
 
 def fold_inside(node: Any, values: Mapping[str, Any], calls: Mapping[str, Any], modules: Collection[str]) -> None:
     """The same for the children of ``node``, in place."""
     _Folder(values, calls, modules).generic_visit(node)
+
+
+def _looks(node: ast.expr) -> bool:
+    """Whether an expression is a comparison that calls nothing, so that it is True or False and can be left out."""
+    return isinstance(node, ast.Compare) and not any(isinstance(n, (ast.Call, ast.NamedExpr)) for n in ast.walk(node))
 
 
 def _identity(node: ast.BinOp, a: Any, b: Any) -> ast.expr:

@@ -11,7 +11,8 @@ from derive.emit.scene import CASES, Scene
 
 def domain_text(scene: Scene) -> str:
     """Where the module is valid, in its remaining parameters."""
-    bounds = {"beta": "beta >= 0", "eta": "eta >= 0", "length": "length > 0", "clamp_angle": "any clamp_angle"}
+    bounds = {"beta": "beta >= 0", "eta": "eta >= 0", "length": "length > 0"}
+    bounds |= {name: f"any {name}" for name in ("clamp_angle", "field_angle")}
     return ", ".join(bounds[name] for name in scene.parameters if name in bounds) or "no parameter is left"
 
 

@@ -7,7 +7,16 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from derive.emit.backends import BACKENDS, FORMULA_FILES, Backend, External
+from derive.emit.backends import (
+    ARRAY_INSTANCES,
+    BACKENDS,
+    EACH,
+    EACH_CLASS,
+    FORMULA_FILES,
+    FORMULAS,
+    Backend,
+    External,
+)
 from derive.emit.errors import EmitError
 from derive.resources import kernels_folder
 
@@ -35,9 +44,9 @@ class KernelFile:
 
 
 def read_kernels(folder: Path | None = None) -> dict[str, str]:
-    """The text of every kernel file by stem, without the emitted ones."""
-    emitted = ("__init__", *FORMULA_FILES.values())
+    """The text of every kernel file by stem, without those that are emitted themselves."""
     paths = sorted((folder or kernels_folder()).glob("*.py"))
+    emitted = ("__init__", *FORMULA_FILES, *ARRAY_INSTANCES.values())
     return {path.stem: path.read_text(encoding="utf-8") for path in paths if path.stem not in emitted}
 
 
@@ -97,11 +106,29 @@ def _definition(node: ast.stmt, stem: str) -> Definition | None:
 
 
 class KernelFiles:
-    """All kernel files as one backend sees them."""
+    """All kernel files as one backend sees them; ``instances``: the files that have an array instance, and its name."""
 
-    def __init__(self, sources: Mapping[str, str], backend: str) -> None:
+    def __init__(
+        self, sources: Mapping[str, str], backend: str, instances: Mapping[str, str] = ARRAY_INSTANCES
+    ) -> None:
         self.backend: Backend = BACKENDS[backend]
+        self.scalar = {file: stem for stem, file in {**instances, FORMULAS[0]: FORMULAS[1]}.items()}
         self.files = {stem: parse_kernel(stem, text) for stem, text in sorted(sources.items())}
+
+        # From which modules each name is imported in this backend that is not written with its module.
+        self.modules: dict[str, set[str]] = {}
+        others = tuple(f"_{name}" for name in BACKENDS if name != backend)
+        for stem in (stem for stem in self.files if not stem.endswith(others)):
+            for local, origin in self.files[stem].imports.items():
+                outside = isinstance(origin, External) and self.lookup(self.base(stem), local) == origin
+                if isinstance(origin, External) and outside and origin.name and not origin.qualified:
+                    self.modules.setdefault(origin.name, set()).add(origin.module)
+
+    def instance(self, file: str, name: str) -> tuple[str, str]:
+        """Where ``name`` of ``file`` is taken from: without arrays, an array instance is the scalar one."""
+        if self.backend.elementwise or file not in self.scalar:
+            return file, name
+        return self.scalar[file], name.removesuffix(EACH).removesuffix(EACH_CLASS)
 
     def lookup(self, file: str, name: str) -> Definition | External | None:
         """What ``name`` of kernel file ``file`` is; None if there is no such name."""

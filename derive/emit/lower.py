@@ -16,6 +16,7 @@ from derive.emit.pieces import Piece, bound_names
 from derive.emit.printer import Printer
 from derive.emit.values import Exact
 
+DIGITS = ("arguments", "digits")  # the kernel that says to how many digits a public function works
 _LONGEST_EXACT_DECIMAL = 12  # digits; 0.015625 is exact in both twins, 0.1 is not
 
 
@@ -23,8 +24,7 @@ def lower(names: Iterable[str], pieces: Mapping[str, Piece], backend: str, publi
     """Write folded values and numbers as the backend needs them, in place; give public mpmath functions ``dps``."""
     twin = BACKENDS[backend]
     names = list(names)
-    if twin.exact:
-        _inline_constants([pieces[name] for name in names])
+    _inline_constants([pieces[name] for name in names], computed=twin.exact)
     for name in names:
         piece = pieces[name]
         lowered = _Lower(twin)
@@ -103,11 +103,14 @@ def _quotient(top: ast.expr, value: Rational) -> ast.expr:
     return ast.UnaryOp(ast.USub(), tree) if value < 0 else tree
 
 
-def _inline_constants(pieces: list[Piece]) -> None:
-    """Write computed constants where they are used: the module would freeze them at the precision of its import."""
+def _inline_constants(pieces: list[Piece], *, computed: bool) -> None:
+    """Write constants where they are used: records, which stand further down in the module, and computed numbers.
+
+    computed: also numbers, which the module would freeze at the precision of its import.
+    """
     values: dict[str, ast.expr] = {}
     for piece in pieces:
-        if piece.kind == "constant" and not _is_literal(piece.node.value):
+        if piece.kind == "constant" and not _is_literal(piece.node.value) and (computed or _is_record(piece)):
             if not _is_scalar(piece.node.value):
                 raise EmitError(
                     f"kernels/{piece.file}.py ({piece.name}): a constant that holds computed or inexact numbers cannot "
@@ -123,6 +126,12 @@ def _inline_constants(pieces: list[Piece]) -> None:
                 piece.node
             )
             piece.names.update({name: origin for name, origin in origins.items() if name not in piece.names})
+
+
+def _is_record(piece: Piece) -> bool:
+    """Whether the constant is built by a class or function of the module."""
+    calls = [n.func for n in ast.walk(piece.node.value) if isinstance(n, ast.Call)]
+    return any(isinstance(one, ast.Name) and isinstance(piece.names.get(one.id), str) for one in calls)
 
 
 def _is_literal(node: ast.AST) -> bool:
@@ -153,8 +162,8 @@ def _with_precision(piece: Piece) -> None:
     if any(a.arg == "dps" for a in (*node.args.args, *node.args.kwonlyargs)):
         return
     head = node.body[:1] if isinstance(node.body[0], ast.Expr) and isinstance(node.body[0].value, ast.Constant) else []
-    context = ast.parse("workdps(mp.dps if dps is None else dps)", mode="eval").body
+    context = ast.parse(f"workdps({DIGITS[1]}(dps))", mode="eval").body
     node.args.kwonlyargs.append(ast.arg("dps"))
     node.args.kw_defaults.append(ast.Constant(None))
     node.body = [*head, ast.With([ast.withitem(context)], node.body[len(head) :])]
-    piece.names.update({name: External("mpmath", name, name) for name in ("mp", "workdps")})
+    piece.names.update({"workdps": External("mpmath", "workdps", "workdps"), DIGITS[1]: DIGITS[1]})

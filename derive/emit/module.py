@@ -2,29 +2,26 @@
 
 from __future__ import annotations
 
-import ast
 import hashlib
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from sympy import srepr
-
-from derive.emit.backends import BACKENDS, FUNCTIONS
-from derive.emit.errors import EmitError
-from derive.emit.head import case_text, domain_text, export_lines, fill, from_import, import_lines, public_names
+from derive.emit.backends import ARRAY_INSTANCES, BACKENDS
+from derive.emit.committed import instance_text
+from derive.emit.errors import DifferentValueError, EmitError
+from derive.emit.formulas import formulas_of, kernel_formulas, spelled
+from derive.emit.head import case_text, domain_text, export_lines, fill, import_lines, public_names
+from derive.emit.instances import instances as make_instances
 from derive.emit.kernel_files import KernelFiles, read_kernels
 from derive.emit.layout import lines_of
-from derive.emit.lower import lower
+from derive.emit.lower import DIGITS, lower
 from derive.emit.pieces import Piece, imports, sections
-from derive.emit.printer import formula_function
 from derive.emit.render import render
-from derive.emit.scene import Scene
+from derive.emit.scene import GENERAL_CASE, Scene
 from derive.emit.slice import Slicer
 from derive.emit.specialise import specialise
 from derive.theory.claims import Formula
-
-GENERAL_CASE = "oblique"  # the load case whose formulas have every argument; kernels call them in that form
 
 
 @dataclass(frozen=True)
@@ -45,34 +42,34 @@ class EmittedModule:
         return f"{self.name}.py"
 
 
-def formulas_of(theory: Any, case: str) -> dict[str, Formula]:
-    """The formulas of a load case by name; they must be unique."""
-    found: dict[str, Formula] = {}
-    for formula in theory.formulas:
-        if formula.case == case:
-            if formula.name in found:
-                raise EmitError(f"the theory has two formulas '{formula.name}' for case '{case}'")
-            found[formula.name] = formula
-    return found
-
-
 def emit_module(
-    theory: Any, scene: Scene, backend: str, *, kernels: Mapping[str, str] | None = None, common: bool = False
+    theory: Any,
+    scene: Scene,
+    backend: str,
+    *,
+    kernels: Mapping[str, str] | None = None,
+    instances: Mapping[str, str] = ARRAY_INSTANCES,
+    formulas: Mapping[str, Formula] | None = None,
+    common: bool = False,
 ) -> EmittedModule:
-    """The module for ``scene`` on ``backend``; unproved (see ``proof``). ``common`` names repeated subexpressions."""
+    """The module for ``scene`` on ``backend``; unproved (see ``proof``).
+
+    kernels: the kernel files by stem. instances: those that have an array instance, and its stem. formulas: those to
+    use by name, else those of the load case, and for any field angle where it has none. common: name repeated
+    subexpressions.
+    """
     sources = read_kernels() if kernels is None else dict(kernels)
-    known = KernelFiles(sources, backend)
-    formulas = formulas_of(theory, scene.case)
+    sources |= {stem: instance_text(made) for stem, made in make_instances(sources, instances).items()}
+    known = KernelFiles(sources, backend, instances)
+    formulas = formulas_of(theory, GENERAL_CASE, scene.case) if formulas is None else formulas
     if not formulas:
         raise EmitError(
             f"the theory has no formulas for case '{scene.case}' of scene '{scene.name}'; derive them first"
         )
-    general = {f.name: tuple(s.name for s in f.arguments) for f in kernel_formulas(theory)}
-    slicer = Slicer(known, formulas, general, scene.folded, common=common)
-    for output in scene.outputs:
-        if not isinstance(slicer.piece("api", output, f"scene '{scene.name}'"), str):
-            raise EmitError(f"kernels/api.py only imports '{output}'; define it there")
-    names = specialise(slicer, scene.outputs)
+    general = {name: tuple(s.name for s in f.arguments) for name, f in kernel_formulas(theory).items()}
+    slicer, names = _specialised(
+        lambda kept: Slicer(known, formulas, general, scene.folded, common=common, kept=kept), scene, backend
+    )
     lower(names, slicer.pieces, backend, scene.outputs)
     names = slicer.reach(scene.outputs)
     used = tuple(piece.formula for name in names if (piece := slicer.pieces[name]).formula)
@@ -80,6 +77,30 @@ def emit_module(
     text = render("module.py.jinja", _context(scene, backend, slicer.pieces, names, used, digest))
     left_out = tuple(sorted({*slicer.pieces, *formulas} - set(names)))
     return EmittedModule(f"{scene.name}_{backend}", text, scene, backend, used, digest, left_out)
+
+
+def _specialised(
+    make: Callable[[set[tuple[str, str]]], Slicer], scene: Scene, backend: str
+) -> tuple[Slicer, list[str]]:
+    """The pieces of a scene, specialised, and the names of those reached.
+
+    A parameter or field with the name of a folded constant is taken for it; where a call gives it something else (a
+    length in other units, say) it is kept, and all is done again.
+    """
+    kept: set[tuple[str, str]] = set()
+    while True:
+        slicer = make(kept)
+        for output in scene.outputs:
+            if not isinstance(slicer.piece("api", output, f"scene '{scene.name}'"), str):
+                raise EmitError(f"kernels/api.py only imports '{output}'; define it there")
+        if BACKENDS[backend].exact:
+            slicer.piece(*DIGITS, f"scene '{scene.name}'")
+        try:
+            return slicer, specialise(slicer, scene.outputs)
+        except DifferentValueError as error:
+            if error.pairs <= kept or {owner for owner, _ in error.pairs} & set(scene.outputs):
+                raise
+            kept |= error.pairs
 
 
 def _context(
@@ -117,46 +138,7 @@ def _digest(
     """sha256 of the scene, the formulas used and the kernel files used."""
     files = sorted({piece.file for piece in pieces})
     parts = [scene.canonical(), backend]
-    parts += [f"{f.name}({', '.join(map(str, f.arguments))}) = {srepr(f.expression)}" for f in formulas]
+    parts += map(spelled, formulas)
     for file in files:
         parts += [sources[stem] for stem in (file, f"{file}_{backend}") if stem in sources]
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()
-
-
-def kernel_formulas(theory: Any, family: str = "") -> list[Formula]:
-    """The formulas that kernels import as they stand, of one family or all: those of the general case.
-
-    Of the article's own formulas, those that the general case does not have are taken from the first case that has.
-    """
-    found = dict(formulas_of(theory, GENERAL_CASE))
-    for formula in theory.formulas:
-        if formula.family == "article":
-            found.setdefault(formula.name, formula)
-    return [formula for formula in found.values() if family in ("", formula.family)]
-
-
-def emit_kernel_formulas(theory: Any, family: str = "solver") -> str:
-    """The text of ``kernels/formulas.py``, or of the file of another family (a key of FORMULA_FILES)."""
-    formulas = kernel_formulas(theory, family)
-    if not formulas:
-        raise EmitError(f"the theory has no {family} formulas for case '{GENERAL_CASE}'; derive them first")
-    nodes = [formula_function(formula) for formula in formulas]
-    called = {n.id for node in nodes for n in ast.walk(node) if isinstance(n, ast.Name)}
-    modules: dict[str, set[str]] = {}
-    for file, name in FUNCTIONS.values():
-        if name in called:
-            modules.setdefault(file, set()).add(name)
-    lines = [
-        line for file in sorted(modules) for line in from_import(f"derive.emit.kernels.{file}", sorted(modules[file]))
-    ]
-    parts = [GENERAL_CASE, *(f"{f.name}({', '.join(map(str, f.arguments))}) = {srepr(f.expression)}" for f in formulas)]
-    title = f"The formulas of the load case '{GENERAL_CASE}' as the theory derives them, nothing folded."
-    if family == "article":
-        title = f"The article's own formulas for the load case '{GENERAL_CASE}', and those that only another case has."
-    context = {
-        "title": title,
-        "digest": hashlib.sha256("\n".join(parts).encode()).hexdigest(),
-        "imports": lines,
-        "functions": ["\n".join(lines_of(node, ())) for node in nodes],
-    }
-    return render("formulas.py.jinja", context)

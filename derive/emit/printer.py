@@ -7,14 +7,14 @@ SymPy's own code printers fold exact numbers into floats and order terms by inte
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import reduce
 from typing import Any
 
 from sympy import Add, Expr, Integer, Mul, Pow, Rational, S, Symbol, cse, symbols
 from sympy.core.function import Function
 
-from derive.emit.backends import FUNCTIONS
+from derive.emit.backends import EACH_FUNCTIONS, FUNCTIONS
 from derive.emit.errors import EmitError
 from derive.theory.claims import Formula
 
@@ -28,10 +28,17 @@ Row = Callable[["Printer", Any], ast.expr]
 
 
 class Printer:
-    """Turns expressions in the given argument names into syntax trees."""
+    """Turns expressions in the given argument names into syntax trees; a table names the functions to call."""
 
-    def __init__(self, arguments: tuple[Symbol, ...]) -> None:
+    def __init__(self, arguments: tuple[Symbol, ...], functions: Mapping[str, tuple[str, str]] = FUNCTIONS) -> None:
         self.rank = {symbol: index for index, symbol in enumerate(arguments)}
+        self.functions = functions
+
+    def call(self, name: str, *arguments: ast.expr) -> ast.Call:
+        """A call of a function of the theory."""
+        if name not in self.functions:
+            raise EmitError(f"no kernel evaluates {name}; possible: {', '.join(self.functions)}")
+        return ast.Call(ast.Name(self.functions[name][1], ast.Load()), list(arguments), [])
 
     def print(self, expr: Expr) -> ast.expr:
         """The tree of ``expr``; an operation without a row is an EmitError."""
@@ -119,12 +126,12 @@ def _factors(tree: ast.expr) -> list[ast.expr]:
 def _power(printer: Printer, expr: Pow) -> ast.expr:
     base, exponent = expr.base, expr.exp
     if exponent == Rational(1, 2):
-        return _call(FUNCTIONS["sqrt"][1], printer.print(base))
+        return printer.call("sqrt", printer.print(base))
     if exponent.is_Rational and exponent < 0:
         return ast.BinOp(ast.Constant(1), ast.Div(), printer.print(Pow(base, -exponent)))
     if exponent.is_Rational and exponent.q == 2:
         whole = printer.print(Pow(base, exponent - Rational(1, 2)))
-        return ast.BinOp(whole, ast.Mult(), _call(FUNCTIONS["sqrt"][1], printer.print(base)))
+        return ast.BinOp(whole, ast.Mult(), printer.call("sqrt", printer.print(base)))
     tree = printer.print(base)
     if exponent.is_Integer and exponent <= _MULTIPLIED_OUT and isinstance(base, Symbol):
         return _chain([printer.print(base) for _ in range(int(exponent))])
@@ -133,22 +140,16 @@ def _power(printer: Printer, expr: Pow) -> ast.expr:
 
 def _function(printer: Printer, expr: Function) -> ast.expr:
     name = type(expr).__name__
-    if name not in FUNCTIONS:
-        raise EmitError(f"no kernel evaluates {name} in {expr}; possible: {', '.join(FUNCTIONS)}")
     count = SYMMETRIC.get(name, 0)
     arguments = [*sorted(expr.args[:count], key=printer.key), *expr.args[count:]]
-    return _call(FUNCTIONS[name][1], *(printer.print(argument) for argument in arguments))
-
-
-def _call(name: str, *arguments: ast.expr) -> ast.Call:
-    return ast.Call(ast.Name(name, ast.Load()), list(arguments), [])
+    return printer.call(name, *(printer.print(argument) for argument in arguments))
 
 
 # One row an operation, the first that fits.
 ROWS: tuple[tuple[Any, Row], ...] = (
     (Rational, _number),
     (Symbol, _symbol),
-    (type(S.Pi), lambda printer, expr: ast.Name(FUNCTIONS["pi"][1], ast.Load())),
+    (type(S.Pi), lambda printer, expr: ast.Name(printer.functions["pi"][1], ast.Load())),
     (Add, _sum),
     (Mul, _product),
     (Pow, _power),
@@ -156,10 +157,14 @@ ROWS: tuple[tuple[Any, Row], ...] = (
 )
 
 
-def formula_function(formula: Formula, *, common: bool = False) -> ast.FunctionDef:
-    """The function that evaluates ``formula``; with ``common``, repeated subexpressions become local names."""
+def formula_function(formula: Formula, *, common: bool = False, elementwise: bool = False) -> ast.FunctionDef:
+    """The function that evaluates ``formula``, on arrays if ``elementwise``.
+
+    With ``common``, repeated subexpressions become local names.
+    """
     steps, result = _common(formula) if common else ([], formula.expression)
-    printer = Printer((*formula.arguments, *(name for name, _ in steps)))
+    names = (*formula.arguments, *(name for name, _ in steps))
+    printer = Printer(names, EACH_FUNCTIONS if elementwise else FUNCTIONS)
     body: list[ast.stmt] = [ast.Expr(ast.Constant(_docstring(formula)))]
     for name, value in steps:
         body.append(ast.Assign([ast.Name(name.name, ast.Store())], printer.print(value)))

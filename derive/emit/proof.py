@@ -22,7 +22,20 @@ from derive.emit.readback import read_formula, read_module
 from derive.theory.claims import Claim, Domain, Equal, Formula
 
 # Standard-library modules that emitted code may import.
-STANDARD = frozenset(("__future__", "math", "typing", "dataclasses", "functools", "itertools", "collections", "bisect"))
+STANDARD = frozenset(
+    (
+        "__future__",
+        "math",
+        "typing",
+        "dataclasses",
+        "functools",
+        "itertools",
+        "collections",
+        "bisect",
+        "operator",
+        "cmath",
+    )
+)
 
 
 @dataclass(frozen=True)

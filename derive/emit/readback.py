@@ -46,7 +46,7 @@ _KERNEL_FUNCTIONS: dict[str, Callable[..., Any]] = {
     "wlog_sigma": wlog_sigma,
 }
 _KERNEL_FILES = ("carlson", "carlson_each", "inverses", "weierstrass")
-_ARRAY_PREFIX = "each_"
+_ARRAY_PREFIX, _ARRAY_SUFFIX = "each_", "_each"
 _OPERATIONS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
@@ -161,8 +161,11 @@ class _Reader:
             return _PACKAGE_FUNCTIONS[name](*arguments)
         if package == "array_arithmetic" and name.removeprefix(_ARRAY_PREFIX) in _PACKAGE_FUNCTIONS:
             return _PACKAGE_FUNCTIONS[name.removeprefix(_ARRAY_PREFIX)](*arguments)
-        local = node.func.id if isinstance(node.func, ast.Name) and name == "local" else ""
-        kernel = local or (name if package in _KERNEL_FILES else "")
+        own = node.func.id if isinstance(node.func, ast.Name) else ""
+        if own == "abs" and own not in self.module.meaning:
+            return sympy.Abs(*arguments)
+        local = own if name == "local" else ""
+        kernel = (local or (name if package in _KERNEL_FILES else "")).removesuffix(_ARRAY_SUFFIX)
         if kernel in _KERNEL_FUNCTIONS:
             return _KERNEL_FUNCTIONS[kernel](*arguments)
         raise self.error(node, "the reader's table has no such function")

@@ -31,9 +31,14 @@ CASES: dict[str, dict[str, Expr]] = {
     "orthogonal": {"field_angle": pi / 2},
     "field_only": {"beta": Integer(0), "field_angle": Integer(0)},
     "force_only": {"eta": Integer(0), "field_angle": Integer(0)},
+    "oblique": {},
 }
-OUTPUTS = ("equilibria", "shape", "sweep", "literal")
-ARTICLE_CASES = ("parallel", "orthogonal", "field_only", "force_only")  # those for which the article has formulas
+# The load case that fixes nothing: every other is a special case of it.
+GENERAL_CASE = "oblique"
+# What a scene can ask for; each is a function of the interface.
+OUTPUTS = ("equilibria", "shape", "sweep", "folds", "literal")
+# The load cases for which the article has formulas, so that there is an output 'literal'.
+ARTICLE_CASES = ("parallel", "orthogonal", "field_only", "force_only")
 BACKENDS = ("numpy", "mpmath")
 _KEYS: dict[str, Any] = {"name": str, "title": str, "case": str, "outputs": list, "backends": list}
 _REQUIRED = ("name", "case", "outputs")
@@ -120,7 +125,7 @@ def parse_scene(text: str, label: str = "scene") -> Scene:
         known = ", ".join(ARTICLE_CASES)
         message = f"the article has no formulas for case '{case}', so there is no output 'literal'; it has: {known}"
         raise source.error(message, "scene", "outputs")
-    return Scene(
+    scene = Scene(
         name=_name(table["name"], source),
         title=str(table.get("title", table["name"])),
         case=case,
@@ -128,6 +133,9 @@ def parse_scene(text: str, label: str = "scene") -> Scene:
         backends=_some_of(table.get("backends", list(BACKENDS)), BACKENDS, "backends", source),
         constants=_constants(data.get("constants", {}), case, source),
     )
+    if "sweep" in scene.outputs and not scene.parameters:
+        raise source.error("every parameter is folded: nothing is left to sweep; drop 'sweep'", "scene", "outputs")
+    return scene
 
 
 def _check_keys(data: dict[str, Any], possible: set[str], source: _Source) -> None:

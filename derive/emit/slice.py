@@ -9,8 +9,9 @@ from dataclasses import replace
 
 from sympy import Expr, nan, oo, zoo
 
-from derive.emit.backends import FORMULA_FILES, FUNCTIONS, MODULE_ALIASES, External
+from derive.emit.backends import EACH_FUNCTIONS, FORMULA_FILES, FUNCTIONS, MODULE_ALIASES, External
 from derive.emit.errors import EmitError, choices
+from derive.emit.formulas import base_name, specialise_formula
 from derive.emit.kernel_files import Definition, KernelFiles
 from derive.emit.layout import stamp
 from derive.emit.pieces import Piece, bound_names, parameters_of
@@ -29,15 +30,19 @@ class Slicer:
         folded: Mapping[str, Expr],
         *,
         common: bool = False,
+        kept: Iterable[tuple[str, str]] = (),
     ) -> None:
         self.kernels, self.formulas, self.general, self.folded, self.common = kernels, formulas, general, folded, common
         self.pieces: dict[str, Piece] = {}
+        self.kept = frozenset(kept)
         self.missing: set[str] = set()
+        self.fixed: dict[str, dict[str, Expr]] = {}  # the arguments that every call of a formula gives as one value
 
     def piece(self, file: str, name: str, wanted_by: str) -> str | External:
         """The piece for ``name`` of a kernel file, made if need be: its final name, or where outside it comes from."""
-        if file in FORMULA_FILES.values():
-            return self._formula(name)
+        file, name = self.kernels.instance(file, name)
+        if file in FORMULA_FILES:
+            return self._formula(file, name)
         found = self.kernels.lookup(file, name)
         if found is None:
             raise EmitError(
@@ -54,29 +59,54 @@ class Slicer:
         stems = [stem for stem in (file, f"{file}_{self.kernels.backend.name}") if stem in self.kernels.files]
         return [name for stem in stems for name in self.kernels.files[stem].definitions]
 
-    def _formula(self, name: str) -> str:
-        if name not in self.formulas:
+    def _formula(self, file: str, name: str) -> str:
+        if base_name(file, name) not in self.formulas:
             self.missing.add(name)
             return name
         if name in self.pieces:
             return name
-        piece = Piece(name, "formulas", "formula", None)
-        piece.parameters = self.general.get(name, tuple(symbol.name for symbol in self.formulas[name].arguments))
+        piece = Piece(name, file, "formula", None)
         self.pieces[name] = piece
+        formula = self.formula(name)
+        piece.parameters = self.general.get(base_name(file, name), tuple(symbol.name for symbol in formula.arguments))
         self.fix_formula(name, {})
         return name
 
-    def is_finite(self, name: str, values: Mapping[str, Expr]) -> bool:
-        """Whether the formula has a value there: −β/η has none for η = 0."""
-        return not specialise_formula(self.formulas[name], values).expression.has(zoo, nan, oo, -oo)
+    def formula(self, name: str) -> Formula:
+        """The formula of a piece as the theory gives it, under the piece's name."""
+        return replace(self.formulas[base_name(self.pieces[name].file, name)], name=name)
 
-    def fix_formula(self, name: str, values: Mapping[str, Expr]) -> None:
-        """Print a piece's formula anew, with ``values`` for the arguments that every call gives in the same way."""
+    def constants(self, piece: Piece) -> dict[str, Expr]:
+        """The folded constants that names in a piece stand for: all but parameters that are given something else.
+
+        kept: such parameters and fields, (function or record, name). Where a record keeps a field, variables of its
+        name that a function takes from somewhere are kept too.
+        """
+        own = {name for owner, name in self.kept if owner == piece.name}
+        stored = {n.id for n in ast.walk(piece.node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
+        own |= self.kept_fields() & (stored - set(piece.parameters)) if piece.kind != "class" else set()
+        return {name: value for name, value in self.folded.items() if name not in own}
+
+    def kept_fields(self) -> set[str]:
+        """Fields that have the name of a folded constant, and are given something else."""
+        return {name for owner, name in self.kept if owner in self.pieces and self.pieces[owner].kind == "class"}
+
+    def is_finite(self, name: str, values: dict[str, Expr]) -> bool:
+        """Whether the formula has a value there: −β/η has none for η = 0."""
+        return not specialise_formula(self.formula(name), self.fixed.get(name, {}) | values).expression.has(
+            zoo, nan, oo, -oo
+        )
+
+    def fix_formula(self, name: str, values: dict[str, Expr]) -> None:
+        """Print a piece's formula anew, with further ``values`` for arguments that every call gives in the same way."""
         piece = self.pieces[name]
-        piece.formula = specialise_formula(self.formulas[name], values)
-        piece.node, piece.names = formula_function(piece.formula, common=self.common), {}
-        origins: dict[str, tuple[str, str] | External] = {row[1]: row for row in FUNCTIONS.values()}
-        self._resolve(piece, origins)
+        self.fixed[name] = self.fixed.get(name, {}) | values
+        piece.formula = specialise_formula(self.formula(name), self.fixed[name])
+        _, elementwise = FORMULA_FILES[piece.file]
+        piece.node = formula_function(piece.formula, common=self.common, elementwise=elementwise)
+        piece.names = {}
+        table = EACH_FUNCTIONS if elementwise else FUNCTIONS
+        self._resolve(piece, {row[1]: row for row in table.values() if row[0]})
 
     def _make(self, found: Definition) -> str:
         kernel = self.kernels.files[found.file]
@@ -107,9 +137,11 @@ class Slicer:
             piece.names[name] = target if isinstance(target, str) else _imported(target)
 
     def _plain(self, external: External) -> External:
-        """The import without its alias, unless a kernel has a definition of that name."""
-        taken = any(external.name in kernel.definitions for kernel in self.kernels.files.values())
-        return external if taken or external.name is None else External(external.module, external.name, external.name)
+        """The import without its alias, unless its own name means something else in a kernel, or in another module."""
+        name = external.name
+        taken = any(name in kernel.definitions for kernel in self.kernels.files.values())
+        taken = taken or len(self.kernels.modules.get(name or "", ())) > 1
+        return external if taken or name is None else External(external.module, name, name)
 
     def reach(self, roots: Iterable[str]) -> list[str]:
         """Names of the pieces that ``roots`` reach, what is needed before what needs it."""
@@ -130,15 +162,6 @@ class Slicer:
         for root in roots:
             visit(root)
         return list(order)
-
-
-def specialise_formula(formula: Formula, folded: Mapping[str, Expr]) -> Formula:
-    """The formula with the folded parameters replaced by their values and dropped from its arguments."""
-    fixed = {symbol: folded[symbol.name] for symbol in formula.arguments if symbol.name in folded}
-    if not fixed:
-        return formula
-    arguments = tuple(symbol for symbol in formula.arguments if symbol not in fixed)
-    return replace(formula, arguments=arguments, expression=formula.expression.subs(fixed))
 
 
 def _written(external: External) -> str:

@@ -10,56 +10,91 @@ import ast
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sympy import Expr
-
 from derive.emit.backends import MODULE_ALIASES, External
+from derive.emit.carried import drop_carried
 from derive.emit.drop import drop_parameters
-from derive.emit.errors import EmitError
+from derive.emit.errors import DifferentValueError, EmitError
 from derive.emit.fold import fold, fold_inside
+from derive.emit.folded_calls import drop_folded, fix_formulas
 from derive.emit.pieces import Piece, bound_names
 from derive.emit.slice import Slicer
+from derive.emit.spread import spread
 from derive.emit.tidy import constant_locals, prune, sweep
-from derive.emit.values import value_of
+from derive.emit.values import Exact
 
 _ROUNDS = 50  # far more than any kernel needs
 
 
 def specialise(slicer: Slicer, roots: Sequence[str]) -> list[str]:
     """Fold the slicer's constants into its pieces, in place; the names still reached, in order."""
-    folded, pieces = slicer.folded, slicer.pieces
+    pieces = slicer.pieces
     kernels = {name: piece for name, piece in pieces.items() if piece.kind != "formula"}
-    values = dict(folded)
     for piece in kernels.values():
-        _fold(piece, pieces, values)
-    for name, fixed in _fixed_arguments(slicer).items():
-        if slicer.is_finite(name, fixed):
-            slicer.fix_formula(name, fixed)
-        else:
-            slicer.missing.add(name)
-    drop_parameters(pieces, {name: _drops(piece, folded) for name, piece in pieces.items()}, folded)
-    _check_order(slicer)
-    constant = {p.name: p.formula.expression for p in pieces.values() if p.formula and p.formula.expression.is_number}
+        _fold(slicer, piece)
+    if slicer.folded:
+        _settle(kernels, pieces)
+    fix_formulas(slicer)
+    if slicer.folded:
+        _settle(kernels, pieces)
+    drop_folded(slicer)
     for _ in range(_ROUNDS):
-        before = _forms(kernels)
-        for piece in kernels.values():
-            _round(piece, constant, pieces)
+        before = _forms(pieces)
+        _settle(kernels, pieces)
+        drop_carried(pieces, slicer.reach(roots))
         _drop_unused(pieces, roots)
-        if _forms(kernels) == before:
+        spread(slicer, roots)
+        _take_in(slicer, kernels)
+        if _forms(pieces) == before:
             break
     return _checked(slicer, slicer.reach(roots))
+
+
+def _settle(kernels: Mapping[str, Piece], pieces: Mapping[str, Piece]) -> None:
+    """Work out what the values in the pieces decide, until nothing changes."""
+    for _ in range(_ROUNDS):
+        before = _forms(kernels)
+        constant = {name: value for name, piece in pieces.items() if (value := _constant(piece)) is not None}
+        for piece in list(kernels.values()):
+            _round(piece, constant, pieces)
+        if _forms(kernels) == before:
+            return
+
+
+def _constant(piece: Piece) -> Any:
+    """What every call of a formula or function gives, where it is one and the same folded value."""
+    if piece.formula:
+        return piece.formula.expression if piece.formula.expression.is_number else None
+    body = piece.node.body[1:] if isinstance(piece.node, ast.FunctionDef) else []
+    lone = body[0] if len(body) == 1 and isinstance(body[0], ast.Return) else None
+    return lone.value.value if lone and isinstance(lone.value, Exact) else None
+
+
+def _take_in(slicer: Slicer, kernels: dict[str, Piece]) -> None:
+    """Fold the kernels that only a specialised formula calls."""
+    for name, piece in slicer.pieces.items():
+        if piece.kind != "formula" and name not in kernels:
+            kernels[name] = piece
+            _fold(slicer, piece)
 
 
 def _forms(pieces: Mapping[str, Piece]) -> list[str]:
     return [ast.dump(piece.node) for piece in pieces.values()]
 
 
-def _fold(piece: Piece, pieces: Mapping[str, Piece], values: Mapping[str, Any]) -> None:
+def _fold(slicer: Slicer, piece: Piece) -> None:
+    values, pieces = slicer.constants(piece), slicer.pieces
+    kept = slicer.kept_fields()
+    fields = {name: value for name, value in slicer.folded.items() if name not in kept}
     modules = {name for name, origin in piece.names.items() if isinstance(origin, External) and origin.name is None}
     # A folded name that the function assigns (eta = float(eta)) is swept before its loads are replaced.
     assigned = bound_names(piece.node) & set(values)
-    if assigned:
-        piece.node = sweep(piece.node, assigned, _pure(pieces), f"kernels/{piece.file}.py ({piece.name})", strict=True)
-    piece.node = fold(piece.node, values, {}, modules | set(MODULE_ALIASES.values()))
+    for name in sorted(assigned):
+        place = f"kernels/{piece.file}.py ({piece.name})"
+        try:
+            piece.node = sweep(piece.node, {name}, _pure(pieces), place, strict=True)
+        except EmitError as error:  # the name stands for something else here
+            raise DifferentValueError(str(error), [(piece.name, name)]) from error
+    piece.node = fold(piece.node, values, fields, modules | set(MODULE_ALIASES.values()))
 
 
 _PURE = frozenset(
@@ -71,47 +106,6 @@ _PURE = frozenset(
 def _pure(pieces: Mapping[str, Piece]) -> frozenset[str]:
     """Functions whose call can be left out with its result: kernels have no effects."""
     return _PURE | {name for name, piece in pieces.items() if piece.kind != "constant"}
-
-
-def _drops(piece: Piece, folded: Mapping[str, Expr]) -> tuple[str, ...]:
-    """Parameters of the general form that the piece loses: folded ones, and what its load case's formula lacks."""
-    if piece.formula:
-        kept = [symbol.name for symbol in piece.formula.arguments]
-        extra = [name for name in kept if name not in piece.parameters]
-        if extra:
-            raise EmitError(
-                f"formula '{piece.name}' of case '{piece.formula.case}' takes {extra}, which its general form "
-                f"({', '.join(piece.parameters)}) lacks; kernels cannot call it"
-            )
-        return tuple(name for name in piece.parameters if name not in kept)
-    keywords = [a.arg for a in piece.node.args.kwonlyargs] if isinstance(piece.node, ast.FunctionDef) else []
-    return tuple(name for name in (*piece.parameters, *keywords) if name in folded)
-
-
-def _fixed_arguments(slicer: Slicer) -> dict[str, dict[str, Expr]]:
-    """For each formula, the folded arguments that every call gives as they are (not scaled, say)."""
-    fixed = {
-        name: {key: value for key, value in slicer.folded.items() if key in piece.parameters}
-        for name, piece in slicer.pieces.items()
-        if piece.formula
-    }
-    for piece in slicer.pieces.values():
-        for call in (n for n in ast.walk(piece.node) if isinstance(n, ast.Call)):
-            name = call.func.id if isinstance(call.func, ast.Name) else ""
-            if name in fixed:
-                given = dict(zip(slicer.pieces[name].parameters, call.args, strict=False))
-                given |= {str(k.arg): k.value for k in call.keywords}
-                fixed[name] = {k: v for k, v in fixed[name].items() if k in given and value_of(given[k]) == v}
-    return fixed
-
-
-def _check_order(slicer: Slicer) -> None:
-    """A formula's arguments must keep the order of its general form."""
-    for piece in slicer.pieces.values():
-        if piece.formula and tuple(s.name for s in piece.formula.arguments) != piece.parameters:
-            raise EmitError(
-                f"formula '{piece.name}' of case '{piece.formula.case}' must take {piece.parameters} in this order"
-            )
 
 
 def _round(piece: Piece, constant: Mapping[str, Any], pieces: Mapping[str, Piece]) -> None:
@@ -146,7 +140,7 @@ def _drop_unused(pieces: Mapping[str, Piece], roots: Sequence[str]) -> None:
             if gone:
                 drops[name] = gone
     if drops:
-        drop_parameters(pieces, drops, {})
+        drop_parameters(pieces, drops)
 
 
 def _passed_on(pieces: Mapping[str, Piece]) -> set[str]:

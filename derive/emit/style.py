@@ -50,6 +50,8 @@ def _bare_tuple(text: str) -> str:
     if not head or text.startswith(("raise", "assert")):
         return text
     rest = text[head.end() :]
+    if _split(rest[1:-1], (" for ",))[1:]:
+        return text  # a generator, not a tuple
     if rest.startswith("(") and _matching(rest, 0) == len(rest) - 1 and _split(rest[1:-1], (", ",))[1:]:
         return head[0] + rest[1:-1]
     return text

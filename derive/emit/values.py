@@ -29,8 +29,16 @@ def exact(value: Any, like: ast.AST | None = None) -> Exact:
     return ast.copy_location(node, like) if like is not None else node
 
 
+_PLAIN: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+}
+
+
 def value_of(node: ast.AST) -> Any:
-    """The exact value of a folded node or a literal, else None."""
+    """The exact value of a folded node, of a literal, of π, or of what these make up; else None."""
     if isinstance(node, Exact):
         return node.value
     if isinstance(node, ast.Constant) and isinstance(node.value, bool):
@@ -40,6 +48,12 @@ def value_of(node: ast.AST) -> Any:
     if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
         inner = value_of(node.operand)
         return -inner if isinstance(inner, Expr) else None
+    if isinstance(node, ast.Name) and node.id == "pi":
+        return sympy.pi
+    if isinstance(node, ast.BinOp) and type(node.op) in _PLAIN:
+        left, right = value_of(node.left), value_of(node.right)
+        known = isinstance(left, Expr) and isinstance(right, Expr) and not (isinstance(node.op, ast.Div) and right == 0)
+        return _PLAIN[type(node.op)](left, right) if known else None
     return None
 
 

@@ -12,7 +12,7 @@ FIELDS = ("tip_angle", "clamp_curvature", "gamma", "y", "z", "energy", "index")
 
 def sweep_faults(module: ModuleType, given: Sequence[Mapping[str, Any]], found: Sequence[Sequence[Any]]) -> list[str]:
     """What differs between one sweep over all rods and the equilibria found for each; ``given`` are the arguments."""
-    names = [name for name in inspect.signature(module.sweep).parameters if name != "dps"]
+    names = [name for name in inspect.signature(module.sweep).parameters if name in given[0] and name != "dps"]
     extra = {name: value for name, value in given[0].items() if name == "dps"}
     try:
         swept = module.sweep(**{name: [rod[name] for rod in given] for name in names}, **extra)

@@ -9,9 +9,8 @@ from __future__ import annotations
 from sympy import Expr, Symbol, cos, oo, sin, sqrt
 
 from .claims import Domain, Equal
-from .swing_names import Writer, half_cosine, half_sine, half_width, halves, lean, near, far, root_far, root_near, sine
+from .swing_names import Writer, far, half_cosine, half_sine, half_width, halves, near, root_far, root_near, uneven
 from .swing_phase import rest, square
-from .swing_place import chi_rate
 
 flat = Symbol("flat", real=True)  # (b/a)² sin²ψ
 scale = Symbol("scale", real=True)  # what cos χ is divided by
@@ -94,8 +93,8 @@ def _write_chi(writer: Writer) -> None:
 
 def _write_sides(writer: Writer) -> None:
     """tan(δ/2) and tan(D − δ/2), each as a quotient."""
-    names = {root_near: sqrt(near), root_far: sqrt(far), sine: sin(half_width), **halves(half_width)}
-    names |= {lean: (far - near) / (2 * sin(half_width)), versine: 1 - chi, coversine: 1 + chi}
+    names = {root_near: sqrt(near), root_far: sqrt(far), **halves(half_width)}
+    names |= {uneven: sqrt(far) - sqrt(near), versine: 1 - chi, coversine: 1 + chi}
     behind, ahead = sqrt(near) * (1 - chi), sqrt(far) * (1 + chi)
     high = writer.add(
         "turn_level",
@@ -108,12 +107,12 @@ def _write_sides(writer: Writer) -> None:
     )
     slant = writer.add(
         "turn_tilt",
-        (root_near, root_far, lean, sine, chi),
-        2 * lean * sine / (root_near + root_far) + chi * (root_near + root_far),
-        "√P′(1 + cos χ) − √P(1 − cos χ)",
+        (root_near, root_far, uneven, chi),
+        uneven + chi * (root_near + root_far),
+        "√P′(1 + cos χ) − √P(1 − cos χ), with uneven = √P′ − √P",
         lambda value: Equal(value.subs(names), ahead - behind),
         TURNS,
-        steps=("phase_tangent_squared", "skew"),
+        steps=("phase_tangent_squared",),
     )
     above = writer.add(
         "turn_over",

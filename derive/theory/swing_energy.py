@@ -1,13 +1,13 @@
 """∫η cos²(θ − α)dσ from the tip by the phase ψ, by what does not grow along a rod that is nearly straight.
 
 As in ``swing_square`` the derivative of x_σ/(x − ib) leaves ∫X₁ besides y. By the phase that is
-−Δ cot ψ − (b² − a²)∫sin²ψ − a²σ, up to what makes it finite at the tip. So the form holds up to the far turning point. Near
-the tip Δ cot ψ and √X₁ are large and cancel; there a second form takes their difference by x² − x√X₂√X₃.
+−Δ cot ψ − (b² − a²)∫sin²ψ − a²σ, up to what makes it finite at the tip. So the form holds up to the far turning
+point. Near the tip Δ cot ψ and √X₁ are large and cancel; there a second form takes their difference by x² − x√X₂√X₃.
 """
 
 from __future__ import annotations
 
-from sympy import Expr, Integer, Symbol, cos, diff, oo, sin, sqrt
+from sympy import Expr, Integer, Symbol, cos, diff, oo, sqrt
 
 from .claims import Domain, Equal, Limit
 from .oblique_quartic import HalfAngle, m, n, p, q

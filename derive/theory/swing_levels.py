@@ -94,8 +94,7 @@ def _write_moment(levels: Levels, writer: Writer) -> None:
         "rest_stiffness",
         (beta, eta, cosine, double_cosine),
         beta * cosine + eta * double_cosine,
-        "dθ″/dθ by cos θ and cos 2(θ − α): small rotations h from a direction of equilibrium obey h″ = (dθ″/dθ)h; "
-        "at the tip it is q",
+        "dθ″/dθ by cos θ and cos 2(θ − α), where small rotations h obey h″ = (dθ″/dθ)h; at the tip it is q",
         lambda value: Equal(_at_rest(value), -turned(diff(levels.potential, theta, 2), rest)),
         anywhere(rest),
         steps=("potential",),

@@ -28,6 +28,7 @@ near, far = Symbol("near", real=True), Symbol("far", real=True)  # P and P′: Q
 root_near, root_far = Symbol("root_near", real=True), Symbol("root_far", real=True)  # √P and √P′
 product = Symbol("product", real=True)  # √(PP′)
 lean = Symbol("skew", real=True)  # (P′ − P)/(2 sin D)
+uneven = Symbol("uneven", real=True)  # √P′ − √P
 sine, cosine = Symbol("sine", real=True), Symbol("cosine", real=True)  # of an angle, in most places of D
 half_sine, half_cosine = Symbol("half_sine", real=True), Symbol("half_cosine", real=True)  # of half of it
 double_sine, double_cosine = Symbol("double_sine", real=True), Symbol("double_cosine", real=True)  # of 2(θ − α)

@@ -20,12 +20,11 @@ from .swing_names import (
     half_cosine,
     half_width,
     halves,
-    lean,
     left_sine,
     near,
     root_far,
     root_near,
-    sine,
+    uneven,
 )
 from .swing_rates import tangent
 from .tip_names import arc
@@ -83,30 +82,31 @@ def _write_chi(writer: Writer) -> None:
     )
     # The difference of the same, without the cancellation of P and P′ or of δ and 2D − δ.
     names = {
-        **{root_near: sqrt(near), root_far: sqrt(far), sine: sin(half_width), lean: (far - near) / (2 * sin(half_width))},
+        **{root_near: sqrt(near), root_far: sqrt(far), uneven: sqrt(far) - sqrt(near)},
         **{done_sine: sin(done / 2), gap_sine: sin((half_width - done) / 2), left_sine: sin(half_width - done / 2)},
         half_cosine: halves(half_width)[half_cosine],
     }
     forward = 2 * root_near * half_cosine * gap_sine
     writer.add(
         "phase_lead",
-        (root_near, root_far, half_cosine, lean, sine, done_sine, gap_sine),
-        forward - 2 * lean * sine * done_sine / (root_near + root_far),
-        "√P sin(D − δ/2) − √P′ sin(δ/2), with gap_sine = sin((D − δ)/2)",
+        (root_near, half_cosine, uneven, done_sine, gap_sine),
+        forward - uneven * done_sine,
+        "√P sin(D − δ/2) − √P′ sin(δ/2), with gap_sine = sin((D − δ)/2) and uneven = √P′ − √P",
         lambda value: Equal((value + 2 * root_far * done_sine).subs(names), added.subs(names)),
         MOTION,
-        steps=("phase_sum", "skew"),
+        steps=("phase_sum",),
     )
+    shares = {behind: behind / (behind + ahead), ahead: ahead / (behind + ahead)}
     parts = Domain({behind: (0, oo), ahead: (0, oo)})
     quotient = Equal((ahead - behind) / (ahead + behind), (1 - tangent) / (1 + tangent))
     title, steps = "cos χ is the lead over the sum", ("phase_tangent_squared", "phase_sum", "phase_lead")
     writer.claim("phase_cosine", title, quotient, parts, given=((tangent, behind / ahead),), steps=steps)
     writer.add(
         "chi_square",
-        (behind, ahead, whole),
-        4 * behind * ahead / whole**2,
-        "sin²χ, by the two parts of the phase's sum, and the sum",
-        lambda value: Equal(value.subs(whole, behind + ahead), 4 * tangent / (1 + tangent) ** 2),
+        (behind, ahead),
+        4 * behind * ahead,
+        "sin²χ, by the two parts of the phase's sum as shares of it",
+        lambda value: Equal(value.subs(shares, simultaneous=True), 4 * tangent / (1 + tangent) ** 2),
         parts,
         given=((tangent, behind / ahead),),
         steps=("phase_tangent_squared", "phase_sum"),

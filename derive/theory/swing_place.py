@@ -20,12 +20,12 @@ from .swing_names import (
     far,
     half_cosine,
     half_width,
-    lean,
     left_sine,
     near,
     root_far,
     root_near,
     sine,
+    uneven,
 )
 from .swing_phase import MOTION, PHASE, delta, end, first, rate, rest, second, square, whole
 from .swing_points import x_near
@@ -117,21 +117,21 @@ def _write_far(writer: Writer) -> None:
 
 def _write_lift(place: Place, writer: Writer) -> None:
     """x + √X₂√X₃ = ê₁ + X₁ + √X₂√X₃: √P√P′ + P cos D is small where the motion is nearly a whole turn."""
-    turn = 2 * lean * sine / (root_near + root_far) + 2 * root_near * half_cosine**2
+    turn = uneven + 2 * root_near * half_cosine**2
     names = {
-        **{root_near: sqrt(near), root_far: sqrt(far), half_cosine: cos(half_width / 2), sine: sin(half_width)},
-        **{lean: (far - near) / (2 * sin(half_width)), rest: 1 - square},
+        **{root_near: sqrt(near), root_far: sqrt(far), half_cosine: cos(half_width / 2)},
+        **{uneven: sqrt(far) - sqrt(near), rest: 1 - square},
     }
     where = Domain({**MOTION.ranges, first: (0, oo), second: (0, oo), square: (0, 1)})
     writer.add(
         "pair_lift",
-        (root_near, root_far, lean, sine, half_cosine, square, rest),
+        (root_near, root_far, uneven, half_cosine, square, rest),
         root_near * (turn + 2 * root_far * rest / square) / 8,
-        "x + √X₂√X₃ by the phase",
+        "x + √X₂√X₃ by the phase, with uneven = √P′ − √P",
         lambda value: Equal(value.subs(names), near * cos(half_width) / 8 + place.near + place.pair),
         where,
         given=((first, sqrt(sqrt(near) * sqrt(far) / 8)),),
-        steps=("near_by_phase", "pair_by_phase", "far_root", "skew", "end_rate_squared"),
+        steps=("near_by_phase", "pair_by_phase", "far_root", "end_rate_squared"),
     )
 
 
@@ -171,9 +171,7 @@ def _write_by_sines(writer: Writer) -> None:
         (b, done_sine, x_near, pair_root),
         4 * sqrt(x_near) * pair_root * done_sine**2 / b,
         "|θ_σ| by X₁ and √X₂√X₃",
-        lambda value: Equal(
-            (diff(pole, done) * value.subs(done_sine, sin(done / 2))) ** 2, 4 * x_near * pair_root**2
-        ),
+        lambda value: Equal((diff(pole, done) * value.subs(done_sine, sin(done / 2))) ** 2, 4 * x_near * pair_root**2),
         Domain({b: (0, oo), done: (0, 6), x_near: (0, oo), pair_root: (0, oo)}),
         steps=("point_pole", "cubic_root"),
         source="exsl8",

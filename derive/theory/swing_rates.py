@@ -65,7 +65,9 @@ def write_rates(writer: Writer) -> None:
         (product,),
         product / 2,
         "h²: (dχ/dσ)² at the turning points, by √(PP′)",
-        lambda value: Equal(value.subs(product, sqrt(near * far)), legendre(rate, middle_rate, tangent).subs(tangent, 0)),
+        lambda value: Equal(
+            value.subs(product, sqrt(near * far)), legendre(rate, middle_rate, tangent).subs(tangent, 0)
+        ),
         FACTORS,
         steps=("phase_tangent_squared", "factor_product"),
     )
@@ -74,7 +76,9 @@ def write_rates(writer: Writer) -> None:
         (product, excess),
         (product + excess) / 4,
         "g²: (dχ/dσ)² at χ = π/2, for R of either sign",
-        lambda value: Equal(value.subs(product, sqrt(near * far)), legendre(rate, middle_rate, tangent).subs(tangent, 1)),
+        lambda value: Equal(
+            value.subs(product, sqrt(near * far)), legendre(rate, middle_rate, tangent).subs(tangent, 1)
+        ),
         FACTORS,
         steps=("phase_tangent_squared", "factor_product"),
     )
@@ -83,10 +87,10 @@ def write_rates(writer: Writer) -> None:
     where = {product: (0, oo), eta: (0, oo), sine: (0, 1), mean: (eta, oo), excess: (-oo, 0)}
     writer.add(
         "middle_rate_squared_apart",
-        (product, excess, eta, sine, mean, above),
-        apart / (4 * (product - excess)),
-        "g² by the factors of PP′ − R², with sin D and above = a₀ − η, for R < 0",
-        lambda value: Equal(value.subs(above, mean - eta), (product + excess) / 4),
+        (product, excess, eta, mean, above),
+        above * (mean + eta) / (4 * (product - excess)),
+        "g²/sin²D by the factors of PP′ − R², with above = a₀ − η, for R < 0",
+        lambda value: Equal(sine**2 * value.subs(above, mean - eta), (product + excess) / 4),
         Domain(where),
         given=((product, sqrt(excess**2 + apart.subs(above, mean - eta))),),
         steps=("middle_rate_squared", "mean_factor"),

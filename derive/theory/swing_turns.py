@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from sympy import Expr, Symbol, cos, pi, sin
+from sympy import Expr, Symbol, cos, oo, pi, sin, sqrt
 
 from .claims import Domain, Equal
 from .swing_levels import FIELD, Levels
@@ -20,10 +20,15 @@ from .swing_names import (
     done,
     double_cosine,
     drop,
+    far,
     field_angle,
     half_width,
+    lean,
     middle,
     moment_there,
+    near,
+    root_far,
+    root_near,
     sine,
     turned,
 )
@@ -143,6 +148,16 @@ def _write_sines(levels: Levels, turns: Turns, writer: Writer) -> None:
         lambda value: Equal(last - first, 2 * sin(half_width) * value),
         PAIR,
         steps=("factor_at", "turn_factor", "turn_factor_far"),
+    )
+    by_skew = {root_near: sqrt(near), root_far: sqrt(far), lean: (far - near) / (2 * sine)}
+    writer.add(
+        "root_skew",
+        (root_near, root_far, lean, sine),
+        2 * lean * sine / (root_near + root_far),
+        "√P′ − √P by sin D and skew",
+        lambda value: Equal(value.subs(by_skew), sqrt(far) - sqrt(near)),
+        Domain({near: (0, oo), far: (0, oo), sine: (0, 1)}),
+        steps=("skew",),
     )
     # Where cos(θ + M − 2α) is 1, Q is a₀ − η; cos u − cos D = 2(sin²(D/2) − sin²(u/2)).
     shift, lowest = 2 * (field_angle - middle), 2 * field_angle - middle

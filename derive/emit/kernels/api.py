@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from derive.emit.kernels.arguments import Given, check
+from derive.emit.kernels.arguments import all_real, index_limit, many_rods, not_negative, positive, refuse
 from derive.emit.kernels.arithmetic import real
-from derive.emit.kernels.equilibria import Equilibrium, all_equilibria
+from derive.emit.kernels.equilibria import Equilibrium, all_equilibria, length_of
 from derive.emit.kernels.literal import angle_and_position_literally
 from derive.emit.kernels.shapes import angle_and_position
 
@@ -38,31 +38,32 @@ class Sweep:
     index: Any
 
 
-def equilibria(beta, eta, length, clamp_angle) -> list[Equilibrium]:
+def equilibria(beta, eta, length, clamp_angle, field_angle, *, max_index=None) -> list[Equilibrium]:
     """All equilibria of one rod, sorted by tip angle.
 
     beta: terminal force over bending stiffness, F/(EI) ≥ 0.
     eta: magnetic modulus over bending stiffness, η̃/(EI) ≥ 0.
     length: length of the rod, > 0.
     clamp_angle: θ(0), the angle from the y axis to the tangent at the clamp, in radians.
+    field_angle: α, the angle from the y axis to the field, in radians.
+    max_index: the largest index that is wanted, 0 for stable equilibria only; None for all.
 
     All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """
-    check(beta, eta, length, clamp_angle)
-    return all_equilibria(
-        real("beta", beta), real("eta", eta), real("length", length), real("clamp_angle", clamp_angle)
-    )
+    beta, eta, length = not_negative("beta", beta), not_negative("eta", eta), positive("length", length)
+    clamp_angle, field_angle = real("clamp_angle", clamp_angle), real("field_angle", field_angle)
+    return all_equilibria(beta, eta, length, clamp_angle, field_angle, index_limit(max_index))
 
 
 def shape(equilibrium: Equilibrium, s) -> Shape:
     """The shape of an equilibrium at arc lengths s from the clamp, a number or an array within [0, length].
 
-    theta, curvature, y and z have the shape of s. Raises ValueError where an s is not on the rod.
+    theta, curvature, y and z have the shape of s. Raises TypeError or ValueError where an s is not on the rod.
     """
-    s = np.asarray(s, dtype=float)
-    if not np.all((s >= 0) & (s <= equilibrium.rod.length)):
-        raise ValueError(f"s must lie in [0, {equilibrium.rod.length!r}], the rod")
-    return Shape(*angle_and_position(equilibrium, s))
+    places = on_rod(equilibrium, s)
+    rows = [angle_and_position(equilibrium, place) for place in places.ravel().tolist()]
+    columns = np.array(rows, dtype=float).reshape(-1, 4).T
+    return Shape(*(column.reshape(places.shape)[()] for column in columns))
 
 
 def literal(equilibrium: Equilibrium, s) -> Shape:
@@ -73,22 +74,28 @@ def literal(equilibrium: Equilibrium, s) -> Shape:
     more where two roots of f come near. Raises ValueError where the formulas have no value: two of the roots meet to
     rounding (so for a straight rod), or a load by which they divide is 0; and where an s is not on the rod.
     """
-    s = np.asarray(s, dtype=float)
-    if not np.all((s >= 0) & (s <= equilibrium.rod.length)):
-        raise ValueError(f"s must lie in [0, {equilibrium.rod.length!r}], the rod")
-    return Shape(*angle_and_position_literally(equilibrium, s))
+    return Shape(*angle_and_position_literally(equilibrium, on_rod(equilibrium, s)))
 
 
-def sweep(beta, eta, length, clamp_angle) -> Sweep:
+def on_rod(equilibrium, s):
+    """The arc lengths as doubles; TypeError or ValueError if the first is no equilibrium, or an s not on its rod."""
+    if not isinstance(equilibrium, Equilibrium):
+        raise TypeError(f"equilibrium must be one that equilibria gives, got {equilibrium!r}")
+    places, length = all_real("s", s), length_of(equilibrium.rod)
+    refuse("s", places, (places < 0) | (places > length), f"must lie in [0, {length!r}], the rod")
+    return places
+
+
+def sweep(beta, eta, length, clamp_angle, field_angle, *, max_index=None) -> Sweep:
     """All equilibria of many rods: the arguments are numbers or arrays, broadcast against one another.
 
-    Raises ValueError where they do not broadcast, and as ``equilibria`` does for each value, before any work.
+    max_index: the largest index that is wanted, 0 for stable equilibria only; None for all.
+
+    Raises TypeError or ValueError, naming the argument and the flat index of a bad value, before any work.
     """
-    given = Given(beta, eta, length, clamp_angle)
-    rods = list(zip(*(part.ravel().tolist() for part in np.broadcast_arrays(*given)), strict=True))
-    for rod in rods:
-        check(*rod)
-    found = [(case, item) for case, rod in enumerate(rods) for item in equilibria(*rod)]
+    given, limit = many_rods(beta, eta, length, clamp_angle, field_angle), index_limit(max_index)
+    rods = list(zip(*(part.tolist() for part in given), strict=True))
+    found = [(case, item) for case, rod in enumerate(rods) for item in equilibria(*rod, max_index=limit)]
     return Sweep(
         np.array([case for case, _ in found], dtype=int),
         np.array([item.tip_angle for _, item in found], dtype=float),

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 from derive.emit.kernels.api import Shape, Sweep, equilibria
-from derive.emit.kernels.arguments import Given, check
-from derive.emit.kernels.arithmetic import real
-from derive.emit.kernels.equilibria import Equilibrium
+from derive.emit.kernels.arguments import all_real, index_limit, many_rods
+from derive.emit.kernels.equilibria import Equilibrium, length_of
 from derive.emit.kernels.literal import angle_and_position_literally
 from derive.emit.kernels.shapes import angle_and_position
 
@@ -15,15 +12,10 @@ from derive.emit.kernels.shapes import angle_and_position
 def shape(equilibrium: Equilibrium, s) -> Shape:
     """The shape of an equilibrium at arc lengths s from the clamp, a number or a sequence of them within [0, length].
 
-    theta, curvature, y and z are numbers, or lists as long as s. Raises ValueError where an s is not on the rod.
+    theta, curvature, y and z are numbers, or lists as long as s. Raises TypeError or ValueError where an s is not on
+    the rod.
     """
-    places = [real("s", place) for place in s] if isinstance(s, Iterable) else [real("s", s)]
-    if not all(0 <= place <= equilibrium.rod.length for place in places):
-        raise ValueError(f"s must lie in [0, {equilibrium.rod.length!r}], the rod")
-    rows = [angle_and_position(equilibrium, place) for place in places]
-    if not isinstance(s, Iterable):
-        return Shape(*rows[0])
-    return Shape(*([row[k] for row in rows] for k in range(4)))
+    return shape_by(angle_and_position, equilibrium, on_rod(equilibrium, s))
 
 
 def literal(equilibrium: Equilibrium, s) -> Shape:
@@ -34,25 +26,39 @@ def literal(equilibrium: Equilibrium, s) -> Shape:
     more where two roots of f come near. Raises ValueError where the formulas have no value: two of the roots meet to
     rounding (so for a straight rod), or a load by which they divide is 0; and where an s is not on the rod.
     """
-    places = [real("s", place) for place in s] if isinstance(s, Iterable) else [real("s", s)]
-    if not all(0 <= place <= equilibrium.rod.length for place in places):
-        raise ValueError(f"s must lie in [0, {equilibrium.rod.length!r}], the rod")
-    rows = [angle_and_position_literally(equilibrium, place) for place in places]
-    if not isinstance(s, Iterable):
-        return Shape(*rows[0])
+    return shape_by(angle_and_position_literally, equilibrium, on_rod(equilibrium, s))
+
+
+def shape_by(at, equilibrium, places):
+    """The shape at one place, or at each of a list, by a function of an equilibrium and a place."""
+    if not isinstance(places, list):
+        return Shape(*at(equilibrium, places))
+    rows = [at(equilibrium, place) for place in places]
     return Shape(*([row[k] for row in rows] for k in range(4)))
 
 
-def sweep(beta, eta, length, clamp_angle) -> Sweep:
+def on_rod(equilibrium, s):
+    """The arc lengths; TypeError or ValueError if the first is no equilibrium, or an s not on its rod."""
+    if not isinstance(equilibrium, Equilibrium):
+        raise TypeError(f"equilibrium must be one that equilibria gives, got {equilibrium!r}")
+    places, length = all_real("s", s), length_of(equilibrium.rod)
+    for place, number in enumerate(places if isinstance(places, list) else [places]):
+        if not 0 <= number <= length:
+            where = f"s[{place}]" if isinstance(places, list) else "s"
+            raise ValueError(f"{where} must lie in [0, {length}], the rod, got {number}")
+    return places
+
+
+def sweep(beta, eta, length, clamp_angle, field_angle, *, max_index=None) -> Sweep:
     """All equilibria of many rods: the arguments are numbers, or sequences of one length.
 
-    Raises ValueError where the lengths differ, and as ``equilibria`` does for each value, before any work.
+    max_index: the largest index that is wanted, 0 for stable equilibria only; None for all.
+
+    Raises TypeError or ValueError, naming the argument and the index of a bad value, before any work.
     """
-    given = Given(beta, eta, length, clamp_angle)
-    rods = list(zip(*broadcast(given), strict=True))
-    for rod in rods:
-        check(*rod)
-    found = [(case, item) for case, rod in enumerate(rods) for item in equilibria(*rod)]
+    given, limit = many_rods(beta, eta, length, clamp_angle, field_angle), index_limit(max_index)
+    rods = list(zip(*given, strict=True))
+    found = [(case, item) for case, rod in enumerate(rods) for item in equilibria(*rod, max_index=limit)]
     return Sweep(
         [case for case, _ in found],
         [item.tip_angle for _, item in found],
@@ -63,14 +69,3 @@ def sweep(beta, eta, length, clamp_angle) -> Sweep:
         [item.energy for _, item in found],
         [item.index for _, item in found],
     )
-
-
-def broadcast(values):
-    """Each value as a list of the common length: numbers are repeated."""
-    columns = [
-        list(value) if isinstance(value, Iterable) and not isinstance(value, str) else [value] for value in values
-    ]
-    rows = max(len(column) for column in columns)
-    if any(len(column) not in (1, rows) for column in columns):
-        raise ValueError(f"arguments have lengths {[len(column) for column in columns]}: give numbers or one length")
-    return [column * rows if len(column) == 1 else column for column in columns]

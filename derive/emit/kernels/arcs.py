@@ -57,8 +57,8 @@ class Arc(NamedTuple):
 
 def clamp_point(motion, phase):
     """The point where the motion meets the clamp."""
-    b, done = strength(motion.near_moment), sin(motion.done / 2)
-    one = point_near(b, motion.sine, done, sin(motion.left / 2))
+    b, done = strength(motion.near_moment), motion.done_sine
+    one = point_near(b, motion.sine, done, motion.left_sine)
     product = pair_root(sqrt(motion.near), done, phase.whole, phase.delta / motion.end)
     delta = phase_rate(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
     return Point(b, point_pole(b, done, cos(motion.done / 2)), one, product, pair_root_sum(phase.square, delta))
@@ -73,7 +73,7 @@ def far_point(motion):
 
 def arc_to(beta, eta, field_angle, motion, point, square, rest, extent):
     """The arc from the tip to a point, at ψ, of the given length."""
-    sine, cosine, lean, b = sin(motion.tip), cos(motion.tip), motion.tip - field_angle, point.strength
+    sine, cosine, lean = sin(motion.tip), cos(motion.tip), motion.tip - field_angle
     double_sine, double_cosine = sin(2 * lean), cos(2 * lean)
     root = far_root(motion.near, cos(motion.half_width))
     w_re, w_im = shift(eta, double_sine, double_cosine, motion, point, root, square, rest)
@@ -89,7 +89,7 @@ def shift(eta, double_sine, double_cosine, motion, point, root, square, rest):
     """W as real and imaginary part: ∫e^{iθ} from the tip is e^{iφ}(σ + W)."""
     b, near, far = point.strength, sqrt(motion.near), sqrt(motion.far)
     twist = complex_of(rj_delta_real(eta, b, double_cosine), rj_delta_imag(eta, b, double_sine))
-    lift = pair_lift(near, far, motion.skew, motion.sine, motion.half_cosine, square, rest)
+    lift = pair_lift(near, far, motion.uneven, motion.half_cosine, square, rest)
     pole, lifted, less = complex_of(point.pole, -b), complex_of(lift, -b), complex_of(root, -b)
     third = rj_pair(point.one, point.product, point.root_sum, pole, lifted, less, twist)
     return w_real(b, third.imag), w_imag(b, third.real)

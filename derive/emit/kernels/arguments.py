@@ -2,18 +2,63 @@
 
 from __future__ import annotations
 
+from operator import index
 from typing import Any, NamedTuple
+
+import numpy as np
 
 from derive.emit.kernels.arithmetic import real
 
 
 class Given(NamedTuple):
-    """The arguments of a sweep."""
+    """The parameters of many rods, as arrays of one length."""
 
     beta: Any
     eta: Any
     length: Any
     clamp_angle: Any
+    field_angle: Any
+
+
+def many_rods(beta, eta, length, clamp_angle, field_angle):
+    """The parameters of many rods as flat arrays, broadcast against one another.
+
+    TypeError or ValueError names the first argument that cannot be, and the flat index of its first bad value.
+    """
+    given = Given(
+        all_not_negative("beta", beta),
+        all_not_negative("eta", eta),
+        all_positive("length", length),
+        all_real("clamp_angle", clamp_angle),
+        all_real("field_angle", field_angle),
+    )
+    try:
+        parts = [part.ravel() for part in np.broadcast_arrays(*given)]
+    except ValueError:
+        shapes = ", ".join(f"{name} {np.shape(part)}" for name, part in zip(given._fields, given, strict=True))
+        raise ValueError(f"the arguments do not broadcast against one another: their shapes are {shapes}") from None
+    return Given(*parts)
+
+
+def index_limit(max_index):
+    """The largest index of equilibria that are wanted: None for no limit, or an integer ≥ 0."""
+    if max_index is None:
+        return None
+    limit = integer("max_index", max_index)
+    if limit < 0:
+        raise ValueError(f"max_index must not be negative, got {max_index!r}")
+    return limit
+
+
+def integer(name: str, value: Any) -> int:
+    """An integer that is no truth value, or an error that names the argument."""
+    try:
+        number = None if isinstance(value, bool) else index(value)
+    except TypeError:
+        number = None
+    if number is None:
+        raise TypeError(f"{name} must be None or an integer, got {value!r}")
+    return number
 
 
 def not_negative(name: str, value: object) -> float:
@@ -21,7 +66,7 @@ def not_negative(name: str, value: object) -> float:
     number = real(name, value)
     if number < 0:
         raise ValueError(f"{name} must not be negative, got {value!r}")
-    return number
+    return abs(number)  # no negative zero
 
 
 def positive(name: str, value: object) -> float:
@@ -32,9 +77,41 @@ def positive(name: str, value: object) -> float:
     return number
 
 
-def check(beta, eta, length, clamp_angle):
-    """Raise TypeError or ValueError, naming the argument, unless the numbers make a rod."""
-    not_negative("beta", beta)
-    not_negative("eta", eta)
-    positive("length", length)
-    real("clamp_angle", clamp_angle)
+def all_not_negative(name, values):
+    """Real numbers ≥ 0, or an error that names the argument and the flat index of the first that is none."""
+    numbers = all_real(name, values)
+    refuse(name, numbers, numbers < 0, "must not be negative")
+    return np.abs(numbers)  # no negative zero
+
+
+def all_positive(name, values):
+    """Real numbers > 0, or an error that names the argument and the flat index of the first that is none."""
+    numbers = all_real(name, values)
+    refuse(name, numbers, numbers <= 0, "must be positive")
+    return numbers
+
+
+def all_real(name, values):
+    """A number or an array of them as finite doubles; TypeError or ValueError names the argument and the place."""
+    kind = getattr(getattr(values, "dtype", None), "kind", "")
+    if kind and kind in "fiu":
+        numbers = np.asarray(values, dtype=float)
+        refuse(name, numbers, ~np.isfinite(numbers), "must be finite")
+        return numbers
+    # What is no array of numbers by its type is looked at one by one: lists, fractions, and what must be refused.
+    try:
+        items = np.asarray(values, dtype=object)
+    except ValueError:
+        raise ValueError(f"{name} must be a number or an array: its rows have different lengths") from None
+    if not items.ndim:
+        return np.asarray(real(name, values))
+    flat = [real(f"{name}[{place}]", item) for place, item in enumerate(items.ravel().tolist())]
+    return np.asarray(flat, dtype=float).reshape(items.shape)
+
+
+def refuse(name, numbers, bad, why):
+    """Raise ValueError at the first number that is bad."""
+    if np.any(bad):
+        place = int(np.argmax(bad))
+        where = f"{name}[{place}]" if np.ndim(numbers) else name
+        raise ValueError(f"{where} {why}, got {float(np.ravel(numbers)[place])!r}")

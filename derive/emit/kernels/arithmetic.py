@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from cmath import log as complex_log
 from cmath import sqrt as complex_sqrt
-from math import acos, asin, atan, atan2, ceil, cos, exp, floor, frexp, inf, isfinite, ldexp, log, pi, sin, sqrt
+from math import acos, asin, atan, atan2, ceil, cos, exp, floor, frexp, hypot, inf, isfinite, ldexp, log, pi, sin, sqrt
 
 __all__ = [
     "acos",
@@ -22,6 +22,7 @@ __all__ = [
     "exp",
     "floor",
     "frexp",
+    "hypot",
     "inf",
     "isfinite",
     "larger",
@@ -32,6 +33,7 @@ __all__ = [
     "pick",
     "real",
     "sin",
+    "spacing",
     "sqrt",
 ]
 
@@ -41,11 +43,22 @@ def epsilon() -> float:
     return 2.0**-52
 
 
+def spacing(x):
+    """The spacing of numbers just above 1, in the precision of x."""
+    return 2.0**-52
+
+
 def real(name: str, value: object) -> float:
     """A finite real number as a float; TypeError or ValueError names the argument that is none."""
-    if isinstance(value, (str, bytes, bool, complex)) or not hasattr(value, "__float__"):
+    numeric = getattr(getattr(value, "dtype", None), "kind", "f") in "fiu" and not getattr(value, "ndim", 0)
+    if isinstance(value, (str, bytes, bool, complex)) or not numeric or not hasattr(value, "__float__"):
         raise TypeError(f"{name} must be a real number, got {value!r}")
-    number = float(value)
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} must be a real number, got {value!r}") from None
+    except OverflowError:
+        raise ValueError(f"{name} must be finite, got a number too large for a double") from None
     if not isfinite(number):
         raise ValueError(f"{name} must be finite, got {value!r}")
     return number

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mpmath import acos, asin, atan, atan2, cos, eps, exp, frexp, inf, isfinite, ldexp, log, mpf, pi, sin, sqrt
+from mpmath import acos, asin, atan, atan2, cos, eps, exp, frexp, hypot, inf, isfinite, ldexp, log, mpf, pi, sin, sqrt
 from mpmath import ceil as mpf_ceil
 from mpmath import floor as mpf_floor
 from mpmath import mpc as complex_of
@@ -24,6 +24,7 @@ __all__ = [
     "exp",
     "floor",
     "frexp",
+    "hypot",
     "inf",
     "isfinite",
     "larger",
@@ -34,6 +35,7 @@ __all__ = [
     "pick",
     "real",
     "sin",
+    "spacing",
     "sqrt",
 ]
 
@@ -53,14 +55,20 @@ def floor(x):
     return int(mpf_floor(x))
 
 
+def spacing(x):
+    """The spacing of numbers just above 1, in the precision of x."""
+    return +eps
+
+
 def real(name, value):
     """A finite real number as an mpf, from a number or its decimal text; TypeError or ValueError names the argument."""
-    if isinstance(value, (bool, bytes, complex)):
-        raise TypeError(f"{name} must be a real number, got {value!r}")
+    numeric = getattr(getattr(value, "dtype", None), "kind", "f") in "fiu" and not getattr(value, "ndim", 0)
     try:
+        if isinstance(value, (bool, bytes, complex)) or not numeric:
+            raise TypeError(name)
         number = mpf(value)
-    except (TypeError, ValueError) as error:
-        raise TypeError(f"{name} must be a real number, got {value!r}") from error
+    except (TypeError, ValueError, ZeroDivisionError):
+        raise TypeError(f"{name} must be a real number, got {value!r}") from None
     if not isfinite(number):
         raise ValueError(f"{name} must be finite, got {value!r}")
     return number

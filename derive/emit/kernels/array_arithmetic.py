@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from numpy import abs as each_abs
+from numpy import any as any_of
 from numpy import arccos as each_acos
 from numpy import arccosh as each_acosh
 from numpy import arcsin as each_asin
@@ -11,18 +12,27 @@ from numpy import arctan as each_atan
 from numpy import arctan2 as each_atan2
 from numpy import cos as each_cos
 from numpy import exp as each_exp
+from numpy import finfo, float32
 from numpy import floor as each_floor
+from numpy import hypot as each_hypot
 from numpy import imag as each_imag
+from numpy import log as complex_log
 from numpy import log as each_log
 from numpy import max as largest
 from numpy import maximum as each_max
+from numpy import maximum as larger
 from numpy import minimum as each_min
 from numpy import real as each_real
 from numpy import sin as each_sin
+from numpy import sqrt as complex_sqrt
 from numpy import sqrt as each_sqrt
 from numpy import where as each_where
 
 __all__ = [
+    "any_of",
+    "arctan_share",
+    "complex_of",
+    "complex_sqrt",
     "each_abs",
     "each_acos",
     "each_acosh",
@@ -33,6 +43,7 @@ __all__ = [
     "each_cos",
     "each_exp",
     "each_floor",
+    "each_hypot",
     "each_imag",
     "each_log",
     "each_max",
@@ -41,5 +52,40 @@ __all__ = [
     "each_sin",
     "each_sqrt",
     "each_where",
+    "larger",
     "largest",
+    "less_quarters",
+    "pick",
+    "spacing",
 ]
+
+
+def spacing(x):
+    """The spacing of numbers just above 1, in the precision of the array."""
+    return float(finfo(x.dtype).eps)
+
+
+def less_quarters(angle, quarters):
+    """angle − quarters·π/2, with π/2 in two parts of which the first has 33 bits, so that nothing is lost."""
+    return (angle - quarters * 1.5707963267341256) - quarters * 6.077100506506192e-11
+
+
+def pick(condition, yes, no):
+    """``yes`` where the condition holds, else ``no``; whole numbers take the precision of what they meet."""
+    chosen = each_where(condition, yes, no)
+    return chosen.astype(float32) if chosen.dtype.kind in "ib" else chosen
+
+
+def complex_of(real, imaginary):
+    """The complex numbers of real and imaginary parts."""
+    return real + 1j * imaginary
+
+
+def arctan_share(z, end):
+    """R_C(1, end) for complex end = 1 + z: arctan(√z)/√z, by its series where z is small (DLMF 19.2.18)."""
+    share = 1 - z * (1 / 3 - z * (1 / 5 - z * (1 / 7 - z * (1 / 9 - z / 11))))
+    far = each_abs(z) >= 1e-3
+    if any_of(far):
+        root = complex_sqrt(-z[far])
+        share[far] = complex_log((1 + root) * (1 + root) / end[far]) / (2 * root)
+    return share

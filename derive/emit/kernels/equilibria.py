@@ -57,7 +57,9 @@ class Equilibrium:
 
     tip_angle: θ(ℓ), continuous from θ(0) = clamp_angle, not wrapped. clamp_curvature: θ′(0). gamma: constant of
     the first integral. y, z: position of the tip. energy: ∫(½θ′² − ½η(d₃·e)²)ds − β·y, in units of EI. index:
-    number of negative directions of the second variation; 0 means stable. rod and swing carry what ``shape`` needs.
+    number of negative directions of the second variation; 0 means stable.
+    rod: the rod it is an equilibrium of.
+    swing: its half-swing, None if it is straight.
     """
 
     tip_angle: float
@@ -74,15 +76,13 @@ class Equilibrium:
 def all_equilibria(beta, eta, length, clamp_angle, field_angle, max_index):
     """Every equilibrium, sorted by tip angle: from the tips below the clamp angle, above it, and the straight rod."""
     if beta + eta == 0:
-        return [idle_rod(length, clamp_angle)]
+        return [idle_rod(beta, eta, length, clamp_angle, field_angle)]
     most = inf if max_index is None else max_index
     scale = frexp(beta + eta)[1] // 2
     field = principal(field_angle)
     rod = Rod(ldexp(beta, -2 * scale), ldexp(eta, -2 * scale), ldexp(length, scale), clamp_angle, field, 1, scale)
-    found = one_side(rod, most)
     mirrored = Rod(rod.beta, rod.eta, rod.length, -clamp_angle, reflected(field), -1, scale)
-    found += [item for item in one_side(mirrored, most) if item.swing is not None]
-    return sorted(found, key=lambda item: item.tip_angle)
+    return [*below(rod, most), *straight(rod, most), *below(mirrored, most)[::-1]]
 
 
 def principal(field_angle):
@@ -92,7 +92,7 @@ def principal(field_angle):
     half_turns = floor(field_angle / pi + 0.5)
     angle = less_quarters(field_angle, 2 * half_turns)
     blur = 2 * epsilon() * abs(field_angle)
-    if abs(angle) <= blur and half_turns:
+    if abs(angle) <= (blur if half_turns else epsilon() ** 3):
         return 0 * angle
     return pi / 2 if pi / 2 - abs(angle) <= blur else angle
 
@@ -104,22 +104,27 @@ def reflected(field_angle):
     return -field_angle
 
 
-def one_side(rod, most):
-    """The equilibria with tips below the clamp angle, and the straight one."""
+def below(rod, most):
+    """The equilibria with tips below the clamp angle, from the lowest up; tips may be nearer than rounding."""
     beta, eta, field_angle = rod.beta, rod.eta, rod.field_angle
     scene = landscape(beta, eta, field_angle)
     clamp = clamp_in(scene.rests, rod.clamp_angle)
     found = []
     for piece in pieces(beta, eta, field_angle, scene, clamp):
-        for crossing in crossings(beta, eta, field_angle, rod.length, piece, most):
+        here = crossings(beta, eta, field_angle, rod.length, piece, most)
+        for crossing in sorted(here, key=lambda item: item.place):
             index = index_of(crossing)
             if index <= most:
                 found.append(bent_rod(rod, clamp.turns, piece, crossing, index))
-    for rest, offset in zip(scene.rests, clamp.offsets, strict=True):
-        if offset == 0:
-            straight = straight_rod(rod, rest)
-            found += [straight] if straight.index <= most else []
     return found
+
+
+def straight(rod, most):
+    """The straight equilibrium, if the clamp angle is a direction without moment."""
+    scene = landscape(rod.beta, rod.eta, rod.field_angle)
+    offsets = clamp_in(scene.rests, rod.clamp_angle).offsets
+    found = [straight_rod(rod, rest) for rest, offset in zip(scene.rests, offsets, strict=True) if offset == 0]
+    return [item for item in found if item.index <= most]
 
 
 def bent_rod(rod, turns, piece, crossing, index):
@@ -129,14 +134,16 @@ def bent_rod(rod, turns, piece, crossing, index):
     motion, basin = stay.motion, piece.basin
     phase = phase_of(motion)
     swing, arrival = times(motion)
-    whole = arc_to(beta, eta, field_angle, motion, far_point(motion), 1, 0, swing)
-    whole = with_stays(eta, field_angle, whole, stay, stay.middle, stay.far, basin)
+    whole = Arc(0, 0, 0)  # not asked for within the first half-swing
+    if crossing.turns:
+        whole = arc_to(beta, eta, field_angle, motion, far_point(motion), 1, 0, swing)
+        whole = with_stays(eta, field_angle, whole, stay, stay.middle, stay.far, basin)
     part = arc_to(beta, eta, field_angle, motion, clamp_point(motion, phase), phase.square, phase.rest, arrival)
     part = with_stays(eta, field_angle, part, stay, stay.arrival, 0, basin)
     both, sign = 2 * crossing.turns, crossing.sign
     y, z, square = (float(both * a + sign * b) for a, b in zip(whole, part, strict=True))
     speed = phase.delta * phase.whole / (motion.end * motion.sine)
-    speed = speed * sqrt(2 * sin(motion.done / 2) * sin(motion.left / 2))
+    speed = speed * sqrt(2 * motion.done_sine * motion.left_sine)
     aligned = cos(motion.tip - field_angle)
     gamma = 2 * beta * cos(motion.tip) + eta * aligned * aligned
     energy = gamma * length / 2 - 2 * beta * y - square
@@ -184,7 +191,7 @@ def straight_rod(rod, rest):
     soft = -rest.stiffness
     index = floor(rod.length * sqrt(soft) / pi + 0.5) if soft > 0 else 0
     energy = -(rod.beta * cosine + rod.eta * along * along / 2) * rod.length
-    length = ldexp(rod.length, -rod.scale)
+    length = length_of(rod)
     return Equilibrium(
         rod.side * rod.clamp_angle,
         0 * length,
@@ -198,12 +205,17 @@ def straight_rod(rod, rest):
     )
 
 
-def idle_rod(length, clamp_angle):
+def idle_rod(beta, eta, length, clamp_angle, field_angle):
     """The rod on which nothing acts."""
-    rod = Rod(0 * length, 0 * length, length, clamp_angle, 0 * length, 1, 0)
+    rod = Rod(beta, eta, length, clamp_angle, field_angle, 1, 0)
     nothing = 0 * length
     y, z = length * cos(clamp_angle), length * sin(clamp_angle)
     return Equilibrium(clamp_angle, nothing, nothing, y, z, nothing, 0, rod, None)
+
+
+def length_of(rod):
+    """The length of a rod in the user's units."""
+    return ldexp(rod.length, -rod.scale)
 
 
 def direction(rest):

@@ -1,18 +1,18 @@
-"""The formulas of the load case 'oblique' as the theory derives them, nothing folded.
+"""The formulas as the theory derives them, nothing folded.
 
-Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, the
-formulas of its own load case take their place.
+Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
+are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 50cde2c1d9b3b8032fdddc21c1e80b5a7cffe2823ad572c2908dcdc1fdef086c
+Digest of the inputs: sha256 ed172892925a23103f52cc90478c4bec528738ea54731d26bbdcdbf6aa0fe9bc
 """
 
 from __future__ import annotations
 
-from derive.emit.kernels.arithmetic import atan, atan2, cos, sin, sqrt
+from derive.emit.kernels.arithmetic import sqrt
 
 
 def rest_stiffness(beta, eta, cosine, double_cosine):
-    """dθ″/dθ by cos θ and cos 2(θ − α): small rotations h from a direction of equilibrium obey h″ = (dθ″/dθ)h; at the tip it is q.
+    """dθ″/dθ by cos θ and cos 2(θ − α), where small rotations h obey h″ = (dθ″/dθ)h; at the tip it is q.
 
     Proved as swing.rest_stiffness.
     """
@@ -32,14 +32,6 @@ def rest_moment(eta, stiffness, double_cosine, double_sine, sine, cosine):
             - 0.5 * eta * double_sine * sine * (3 - 4 * sine * sine)
         )
     )
-
-
-def opposite_drop(beta, eta, field_angle, middle, half):
-    """V(middle − π/2 − half) − V(middle + π/2 + half).
-
-    Proved as swing.opposite_drop.
-    """
-    return (2 * beta * sin(middle) + eta * sin(2 * field_angle - 2 * middle) * sin(half)) * cos(half)
 
 
 def rest_drop(eta, stiffness, double_cosine, double_sine, sine, cosine):
@@ -80,172 +72,12 @@ def rest_fall(eta, stiffness, double_cosine, double_sine, middle_sine, middle_co
     )
 
 
-def gamma(beta, eta, cosine, aligned):
-    """γ of the first integral, such that the curvature vanishes at the tip, by cos φ and cos(φ − α).
-
-    Equation exsl8; proved as swing.gamma.
-    """
-    return 2 * beta * cosine + eta * aligned * aligned
-
-
 def tip_cubic(beta, eta, sine, double_sine):
     """m, the coefficient of t³ in the half-angle quartic at the tip, by sin φ and sin 2(φ − α).
 
     Proved as swing.tip_cubic.
     """
     return beta * sine - 0.5 * eta * double_sine
-
-
-def rod_energy(beta, gamma, length, y, square):
-    """Energy of the rod over EI, bending, field and force, with square = η∫cos²(θ − α)ds.
-
-    Equation exsl8; proved as swing.rod_energy.
-    """
-    return 0.5 * gamma * length - 2 * beta * y - square
-
-
-def hill_balance(beta, eta, field_angle, before):
-    """−θ″ at α − y, between force and field: zero at a maximum of V.
-
-    Equation exsl6; proved as swing.hill_balance.
-    """
-    return beta * sin(before - field_angle) + 0.5 * eta * sin(2 * before)
-
-
-def well_balance(beta, eta, field_angle, past):
-    """−θ″ at α + π/2 + w, between the normal of the field and the opposite of the force: zero at a minimum of V.
-
-    Equation exsl6; proved as swing.well_balance.
-    """
-    return 0.5 * eta * sin(2 * past) - beta * cos(field_angle + past)
-
-
-def pair_balance(beta, eta, field_angle, beyond):
-    """θ″ at α + π + x: zero at the second maximum and the second minimum of V.
-
-    Equation exsl6; proved as swing.pair_balance.
-    """
-    return 0.5 * eta * sin(2 * beyond) - beta * sin(field_angle + beyond)
-
-
-def astroid_angle(sine, cosine):
-    """x at which sin α/sin x + cos α/cos x is least, by sin α and cos α: tan³x = tan α.
-
-    Proved as swing.astroid_angle.
-    """
-    return atan((sine / cosine) ** (1 / 3))
-
-
-def tilt(beta, eta):
-    """θ > 0 where force and field balance, the field across the force.
-
-    Proved as swing.tilt.
-    """
-    return atan2(sqrt(eta - beta) * sqrt(beta + eta), beta)
-
-
-def tilt_from_side(beta, eta):
-    """θ − π/2 where force and field balance, the field along the force.
-
-    Proved as swing.tilt_from_side.
-    """
-    return atan2(beta, sqrt(eta - beta) * sqrt(beta + eta))
-
-
-def tilt_stiffness(beta, eta):
-    """dθ″/dθ at that angle; the negative at the well, the field along the force.
-
-    Proved as swing.tilt_stiffness.
-    """
-    return (eta - beta) * (beta + eta) / eta
-
-
-def tilt_cosine(beta, eta):
-    """cos 2(θ − α) at that angle; the negative at the well, the field along the force.
-
-    Proved as swing.tilt_cosine.
-    """
-    return 1 - 2 * beta * beta / (eta * eta)
-
-
-def tilt_sine(beta, eta):
-    """sin 2(θ − α) at that angle; the same at the well, the field along the force.
-
-    Proved as swing.tilt_sine.
-    """
-    return -2 * beta * sqrt(eta - beta) * sqrt(beta + eta) / (eta * eta)
-
-
-def turn_factor(moment_there, sine):
-    """P, or P′: Q at a turning point, by θ″ there towards the other one and sin D.
-
-    Proved as swing.turn_factor.
-    """
-    return 2 * moment_there / sine
-
-
-def middle_excess(beta, eta, middle_cosine, double_cosine, cosine):
-    """R: the part of sin²D·Q that goes with both half-angle sines, by cos M, cos 2(M − α) and cos D.
-
-    Proved as swing.middle_excess.
-    """
-    return -2 * beta * middle_cosine * cosine - eta * double_cosine * (1 + cosine * cosine)
-
-
-def mean_factor(beta, eta, middle_cosine, double_cosine, cosine):
-    """a₀, the mean of Q over all directions: PP′ − R² = sin²D(a₀² − η²).
-
-    Proved as swing.mean_factor.
-    """
-    return -2 * beta * middle_cosine - eta * double_cosine * cosine
-
-
-def skew(eta, field_angle, middle):
-    """(P′ − P)/(2 sin D), zero for a motion that is symmetric about its middle.
-
-    Proved as swing.skew.
-    """
-    return -eta * sin(2 * field_angle - 2 * middle)
-
-
-def mean_above(drop, outer_sine, inner_sine):
-    """a₀ − η by what V falls from the tip to the direction 2α − M, sin(D/2) and sin(α − M).
-
-    Proved as swing.mean_above.
-    """
-    return drop / ((outer_sine - inner_sine) * (outer_sine + inner_sine))
-
-
-def factor_product(near, far):
-    """√(PP′), the geometric mean of P and P′.
-
-    Proved as swing.factor_product.
-    """
-    return sqrt(near) * sqrt(far)
-
-
-def end_rate_squared(product):
-    """h²: (dχ/dσ)² at the turning points, by √(PP′).
-
-    Proved as swing.end_rate_squared.
-    """
-    return 0.5 * product
-
-
-def middle_rate_squared(product, excess):
-    """g²: (dχ/dσ)² at χ = π/2, for R of either sign.
-
-    Proved as swing.middle_rate_squared.
-    """
-    return 0.25 * product + 0.25 * excess
-
-
-def middle_rate_squared_apart(product, excess, eta, sine, mean, above):
-    """g² by the factors of PP′ − R², with sin D and above = a₀ − η, for R < 0.
-
-    Proved as swing.middle_rate_squared_apart.
-    """
-    return above * (eta + mean) * sine * sine / (4 * product - 4 * excess)
 
 
 def phase_sum(root_near, root_far, done_sine, left_sine):
@@ -256,20 +88,20 @@ def phase_sum(root_near, root_far, done_sine, left_sine):
     return root_near * left_sine + root_far * done_sine
 
 
-def phase_lead(root_near, root_far, half_cosine, skew, sine, done_sine, gap_sine):
-    """√P sin(D − δ/2) − √P′ sin(δ/2), with gap_sine = sin((D − δ)/2).
+def phase_lead(root_near, half_cosine, uneven, done_sine, gap_sine):
+    """√P sin(D − δ/2) − √P′ sin(δ/2), with gap_sine = sin((D − δ)/2) and uneven = √P′ − √P.
 
     Proved as swing.phase_lead.
     """
-    return 2 * root_near * half_cosine * gap_sine - 2 * skew * sine * done_sine / (root_near + root_far)
+    return 2 * root_near * half_cosine * gap_sine - uneven * done_sine
 
 
-def chi_square(behind, ahead, whole):
-    """sin²χ, by the two parts of the phase's sum, and the sum.
+def chi_square(behind, ahead):
+    """sin²χ, by the two parts of the phase's sum as shares of it.
 
     Equation DLMF 4.21(iii); proved as swing.chi_square.
     """
-    return 4 * behind * ahead / (whole * whole)
+    return 4 * behind * ahead
 
 
 def half_square(end, square, tilt, delta):
@@ -430,20 +262,12 @@ def far_pair_root(end):
     return 0.25 * end * end
 
 
-def pair_lift(root_near, root_far, skew, sine, half_cosine, square, rest):
-    """x + √X₂√X₃ by the phase.
+def pair_lift(root_near, root_far, uneven, half_cosine, square, rest):
+    """x + √X₂√X₃ by the phase, with uneven = √P′ − √P.
 
     Proved as swing.pair_lift.
     """
-    return (
-        0.125
-        * root_near
-        * (
-            2 * skew * sine / (root_near + root_far)
-            + 2 * root_near * half_cosine * half_cosine
-            + 2 * root_far * rest / square
-        )
-    )
+    return 0.125 * root_near * (uneven + 2 * root_near * half_cosine * half_cosine + 2 * root_far * rest / square)
 
 
 def pair_root(root_near, done_sine, whole, rate):
@@ -452,14 +276,6 @@ def pair_root(root_near, done_sine, whole, rate):
     Proved as swing.pair_root.
     """
     return 0.125 * root_near * whole * rate / done_sine
-
-
-def turn_speed(sine, done_sine, left_sine, whole, rate):
-    """|θ_σ| by the phase's sum and the rate of χ over that at the turning points.
-
-    Equation exsl8; proved as swing.turn_speed.
-    """
-    return whole * rate * sqrt(2) * sqrt(done_sine * left_sine) / sine
 
 
 def point_speed(b, done_sine, x_near, pair_root):
@@ -518,12 +334,12 @@ def turn_level(root_near, root_far, versine, coversine):
     return root_near * versine + root_far * coversine
 
 
-def turn_tilt(root_near, root_far, skew, sine, cosine):
-    """√P′(1 + cos χ) − √P(1 − cos χ).
+def turn_tilt(root_near, root_far, uneven, cosine):
+    """√P′(1 + cos χ) − √P(1 − cos χ), with uneven = √P′ − √P.
 
     Proved as swing.turn_tilt.
     """
-    return 2 * skew * sine / (root_near + root_far) + cosine * (root_near + root_far)
+    return uneven + cosine * (root_near + root_far)
 
 
 def turn_over(root, half_sine, half_cosine, part):

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import atan, atan2, cos, epsilon, less_quarters, pi, sin, sqrt
+from derive.emit.kernels.arithmetic import any_of, atan, atan2, cos, epsilon, larger, less_quarters, pi, pick, sin, sqrt
 
 
 class Rest(NamedTuple):
@@ -29,25 +29,46 @@ class Rest(NamedTuple):
 class Landscape(NamedTuple):
     """The directions of one turn, from the highest hill to the same hill a turn on: hill, well(, ridge, well), hill.
 
-    level: the ridge is as high as the hill.
+    level: the ridge is as high as the hill. even: V is symmetric about every hill and well.
     """
 
     rests: tuple[Rest, ...]
     level: bool
+    even: bool
 
 
 def landscape(beta, eta, field_angle):
     """Hills and wells for a field angle in (−π/2, π/2]."""
     if eta == 0:
-        return Landscape((along(beta, 0, 1), along(beta, 2, -1), along(beta, 4, 1)), False)
+        return no_field(beta)
     if field_angle == 0:
-        return parallel_landscape(beta, eta)
+        if beta == 0:
+            return parallel_alone(eta)
+        return parallel_double(beta, eta) if eta > beta else parallel_single(beta, eta)
     if field_angle == pi / 2:
-        return orthogonal_landscape(beta, eta)
+        return orthogonal_double(beta, eta) if eta > beta else orthogonal_single(beta, eta)
     if field_angle < 0:
-        image = oblique_landscape(beta, eta, -field_angle)
-        return Landscape(tuple(mirror_rest(rest) for rest in image.rests[::-1]), image.level)
+        return mirror_landscape(oblique_landscape(beta, eta, -field_angle))
     return oblique_landscape(beta, eta, field_angle)
+
+
+def oblique_landscape(beta, eta, field_angle):
+    """Hills and wells for a field angle in (0, π/2)."""
+    if beta == 0:
+        return oblique_alone(eta, field_angle)
+    if has_second_pair(beta, eta, field_angle):
+        return oblique_double(beta, eta, field_angle)
+    return oblique_single(beta, eta, field_angle)
+
+
+def has_second_pair(beta, eta, field_angle):
+    """Whether the field is strong enough for a second hill and well."""
+    return ridge_couple(beta, eta, field_angle, astroid_cusp(field_angle)) > 4 * epsilon() * (beta + eta)
+
+
+def mirror_landscape(scene):
+    """The landscape seen from the other side of the y axis."""
+    return scene._replace(rests=tuple(mirror_rest(rest) for rest in scene.rests[::-1]))
 
 
 def along(beta, quarters, sign):
@@ -62,69 +83,94 @@ def mirror_rest(rest):
     )
 
 
-def parallel_landscape(beta, eta):
-    """The field along the force: hills at 0 and, when η > β, at π."""
+def no_field(beta):
+    """The force alone."""
+    return Landscape((along(beta, 0, 1), along(beta, 2, -1), along(beta, 4, 1)), False, True)
+
+
+def parallel_single(beta, eta):
+    """The field along a force that is not weaker: one hill, at 0."""
+    top, again = (Rest(quarters, 0, quarters * (pi / 2), eta + beta, 1, 0) for quarters in (0, 4))
+    return Landscape((top, Rest(2, 0, pi, eta - beta, 1, 0), again), False, True)
+
+
+def parallel_alone(eta):
+    """The field without force: hills along and against it, wells across."""
+    top, side, again = (Rest(quarters, 0, quarters * (pi / 2), eta, 1, 0) for quarters in (0, 2, 4))
+    first, second = (Rest(quarters, 0, quarters * (pi / 2), -eta, -1, 0) for quarters in (1, 3))
+    return Landscape((top, first, side, second, again), True, True)
+
+
+def parallel_double(beta, eta):
+    """The field along a weaker force: hills at 0 and, lower, at π."""
     top, again = (Rest(quarters, 0, quarters * (pi / 2), eta + beta, 1, 0) for quarters in (0, 4))
     side = Rest(2, 0, pi, eta - beta, 1, 0)
-    if beta == 0:
-        wells = (Rest(quarters, 0, quarters * (pi / 2), -eta, -1, 0) for quarters in (1, 3))
-    elif eta > beta:
-        lean = atan2(beta, sqrt((eta - beta) * (eta + beta)))
-        softness = (eta - beta) * (eta + beta) / eta
-        cosine = 2 * (beta / eta) ** 2 - 1
-        sine = -2 * (beta / eta) * sqrt((eta - beta) * (eta + beta)) / eta
-        wells = (
-            Rest(quarters, side_lean, quarters * (pi / 2) + side_lean, -softness, cosine, side_sine)
-            for quarters, side_lean, side_sine in ((1, lean, sine), (3, -lean, -sine))
-        )
-    else:
-        return Landscape((top, side, again), False)
-    first, second = wells
-    return Landscape((top, first, side, second, again), beta == 0)
+    lean = atan2(beta, sqrt((eta - beta) * (eta + beta)))
+    softness = (eta - beta) * (eta + beta) / eta
+    cosine = 2 * (beta / eta) * (beta / eta) - 1
+    sine = -2 * (beta / eta) * sqrt((eta - beta) * (eta + beta)) / eta
+    first = Rest(1, lean, pi / 2 + lean, -softness, cosine, sine)
+    second = Rest(3, -lean, 3 * (pi / 2) - lean, -softness, cosine, -sine)
+    return Landscape((top, first, side, second, again), False, True)
 
 
-def orthogonal_landscape(beta, eta):
-    """The field across the force: one hill at 0, or when η > β two of the same height beside it."""
-    bottom = Rest(2, 0, pi, -beta - eta, -1, 0)
-    if eta <= beta:
-        top, again = (Rest(quarters, 0, quarters * (pi / 2), beta - eta, -1, 0) for quarters in (0, 4))
-        return Landscape((top, bottom, again), False)
+def orthogonal_single(beta, eta):
+    """The field across a force that is not weaker: one hill, at 0."""
+    top, again = (Rest(quarters, 0, quarters * (pi / 2), beta - eta, -1, 0) for quarters in (0, 4))
+    return Landscape((top, Rest(2, 0, pi, -beta - eta, -1, 0), again), False, True)
+
+
+def orthogonal_double(beta, eta):
+    """The field across a weaker force: two hills of the same height beside 0."""
     lean = atan2(sqrt((eta - beta) * (eta + beta)), beta)
     stiffness = (eta - beta) * (eta + beta) / eta
-    cosine = 1 - 2 * (beta / eta) ** 2
+    cosine = 1 - 2 * (beta / eta) * (beta / eta)
     sine = -2 * (beta / eta) * sqrt((eta - beta) * (eta + beta)) / eta
-    low, high, again = (
-        Rest(quarters, side * lean, quarters * (pi / 2) + side * lean, stiffness, cosine, side * sine)
-        for quarters, side in ((0, -1), (0, 1), (4, -1))
-    )
-    return Landscape((low, Rest(0, 0, 0, beta - eta, -1, 0), high, bottom, again), True)
+    low = Rest(0, -lean, -lean, stiffness, cosine, -sine)
+    high, again = Rest(0, lean, lean, stiffness, cosine, sine), low._replace(quarters=4, angle=2 * pi - lean)
+    top, bottom = Rest(0, 0, 0, beta - eta, -1, 0), Rest(2, 0, pi, -beta - eta, -1, 0)
+    return Landscape((low, top, high, bottom, again), True, True)
 
 
-def oblique_landscape(beta, eta, field_angle):
-    """A field angle in (0, π/2): a hill between force and field, a well a quarter turn on, and perhaps a second pair.
+def oblique_alone(eta, field_angle):
+    """The field without force, at an angle in (0, π/2)."""
+    return Landscape(tuple(rest_at(0 * eta, eta, field_angle, k, field_angle) for k in range(5)), True, True)
 
-    The second pair lies at α + π + x with sin α/sin x + cos α/cos x = η/β: it is there when η is beyond the least
-    value of the left side, taken where tan³x = tan α (Stoner and Wohlfarth's astroid).
-    """
-    if beta == 0:
-        rests = [rest_at(beta, eta, field_angle, k, field_angle) for k in range(5)]
-        return Landscape(tuple(rests), True)
-    sine, cosine = sin(field_angle), cos(field_angle)
-    back = rising_root(lambda y: twist(eta, y) - beta * sin(field_angle - y), 0, field_angle)
-    on = rising_root(lambda w: twist(eta, w) - beta * cos(field_angle + w), 0, pi / 2 - field_angle)
+
+def oblique_single(beta, eta, field_angle):
+    """A field angle in (0, π/2): a hill between force and field, a well a quarter turn on."""
+    back = rising_root(lambda y: twist(eta, y) - beta * sin(field_angle - y), 0 * field_angle, field_angle)
+    on = rising_root(lambda w: twist(eta, w) - beta * cos(field_angle + w), 0 * field_angle, pi / 2 - field_angle)
     hill = rest_at(beta, eta, field_angle, 0, field_angle - back)
     well = rest_at(beta, eta, field_angle, 1, field_angle + on)
-    again = hill._replace(quarters=4, angle=hill.angle + 2 * pi)
-    cusp = atan((sine / cosine) ** (1 / 3))
+    return Landscape((hill, well, hill._replace(quarters=4, angle=hill.angle + 2 * pi)), False, False)
 
-    def lift(x):
-        return twist(eta, x) - beta * sin(field_angle + x)
 
-    if lift(cusp) <= 4 * epsilon() * (beta + eta):
-        return Landscape((hill, well, again), False)
-    ridge = rest_at(beta, eta, field_angle, 2, field_angle + rising_root(lift, 0, cusp))
-    second = rest_at(beta, eta, field_angle, 2, field_angle + rising_root(lift, pi / 2, cusp))
-    return Landscape((hill, well, ridge, second, again), False)
+def oblique_double(beta, eta, field_angle):
+    """A field angle in (0, π/2), and a second pair: a ridge and a well."""
+    hill, well, again = oblique_single(beta, eta, field_angle).rests
+    cusp = astroid_cusp(field_angle)
+
+    def couple(x):
+        return ridge_couple(beta, eta, field_angle, x)
+
+    ridge = rest_at(beta, eta, field_angle, 2, field_angle + rising_root(couple, 0 * field_angle, cusp))
+    second = rest_at(beta, eta, field_angle, 2, field_angle + rising_root(couple, pi / 2 + 0 * field_angle, cusp))
+    return Landscape((hill, well, ridge, second, again), False, False)
+
+
+def astroid_cusp(field_angle):
+    """Where the second pair is born: tan³x = tan α (Stoner and Wohlfarth's astroid).
+
+    The pair lies at α + π + x with sin α/sin x + cos α/cos x = η/β: it is there when η/β is beyond the least value of
+    the left side, taken at this x.
+    """
+    return atan((sin(field_angle) / larger(cos(field_angle), epsilon())) ** (1 / 3))
+
+
+def ridge_couple(beta, eta, field_angle, x):
+    """The couple on a rod that points along α + π + x."""
+    return twist(eta, x) - beta * sin(field_angle + x)
 
 
 def twist(eta, x):
@@ -142,32 +188,30 @@ def rest_at(beta, eta, field_angle, quarters, extra):
 def rising_root(function, low, high):
     """The root between low, where the function is negative, and high, where it is positive, by Ridders' method."""
     value_low, value_high = function(low), function(high)
-    if value_high <= 0:
-        return high
-    while True:
+    last, moving = high, value_high > 0
+    for _ in range(60):
         middle = (low + high) / 2
         value = function(middle)
-        size = sqrt(value * value - value_low * value_high)
-        if value == 0 or size == 0:
-            return middle
-        trial = middle + (middle - low) * (-value / size)
+        size = sqrt(larger(value * value - value_low * value_high, 0))
+        exact = (value == 0) | (size == 0)
+        trial = pick(exact, middle, middle + (middle - low) * (-value / pick(exact, 1, size)))
         value_trial = function(trial)
-        if value_trial == 0:
-            return trial
-        if value > 0:
-            high, value_high = middle, value
-        else:
-            low, value_low = middle, value
-        if value_trial > 0 and abs(trial - low) < abs(high - low):
-            high, value_high = trial, value_trial
-        elif value_trial < 0 and abs(high - trial) < abs(high - low):
-            low, value_low = trial, value_trial
-        if abs(high - low) <= 2 * epsilon() * abs(trial):
-            return trial
+        last = pick(moving, trial, last)
+        above = value > 0
+        high, value_high = pick(above, middle, high), pick(above, value, value_high)
+        low, value_low = pick(above, low, middle), pick(above, value_low, value)
+        inside = abs(trial - low) < abs(high - low), abs(high - trial) < abs(high - low)
+        rises, falls = (value_trial > 0) & inside[0], (value_trial < 0) & inside[1]
+        high, value_high = pick(rises, trial, high), pick(rises, value_trial, value_high)
+        low, value_low = pick(falls, trial, low), pick(falls, value_trial, value_low)
+        moving = moving & (abs(high - low) > 2 * epsilon() * abs(trial)) & (value_trial != 0) & (exact == 0)
+        if not any_of(moving):
+            break
+    return last
 
 
 def offset_from(rest, angle, turns):
-    """angle − (rest + turns·2π), without cancellation; 0 where no angle within rounding of this one tells them apart."""
+    """angle − (rest + turns·2π), without cancellation; 0 where no angle within rounding of this tells them apart."""
     offset = less_quarters(angle, 4 * turns + rest.quarters) - rest.extra
     blur = epsilon() * (abs(angle) + abs(rest.extra))
-    return 0 if abs(offset) <= blur or abs(offset) < epsilon() ** 9 else offset
+    return pick((abs(offset) <= blur) | (abs(offset) < epsilon() ** 9), 0, offset)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import cos, floor, pi
+from derive.emit.kernels.arithmetic import cos, floor, ldexp, pi
 from derive.emit.kernels.array_arithmetic import each_floor, each_max, each_min, each_real, each_sqrt, each_where
 from derive.emit.kernels.article_formulas import (
     article_b,
@@ -33,6 +33,7 @@ from derive.emit.kernels.article_formulas import (
     article_z_below,
     article_z_linear,
 )
+from derive.emit.kernels.equilibria import length_of
 from derive.emit.kernels.inverses import near_acos
 from derive.emit.kernels.weierstrass import half_periods, perimeter_point
 
@@ -91,13 +92,14 @@ def motion_of(beta, eta, length, gamma, tip_angle):
 
 def angle_and_position_literally(equilibrium, s):
     """θ, θ′, y and z at arc lengths s from the clamp."""
-    rod = equilibrium.rod
-    motion = motion_of(rod.beta, rod.eta, rod.length, equilibrium.gamma, equilibrium.tip_angle)
-    xi = cosine_along(rod.beta, rod.eta, motion, s)
-    angle, curvature = angle_and_curvature(rod.beta, rod.eta, motion, rod.length - s, xi)
-    whole = z_from_tip(rod.beta, rod.eta, motion, rod.length, cosine_along(rod.beta, rod.eta, motion, 0))
-    z = whole - z_from_tip(rod.beta, rod.eta, motion, rod.length - s, xi)
-    return angle, curvature, y_along(rod.beta, rod.eta, motion, s), z
+    rod, length = equilibrium.rod, length_of(equilibrium.rod)
+    beta, eta = ldexp(rod.beta, 2 * rod.scale), ldexp(rod.eta, 2 * rod.scale)
+    motion = motion_of(beta, eta, length, equilibrium.gamma, equilibrium.tip_angle)
+    xi = cosine_along(beta, eta, motion, s)
+    angle, curvature = angle_and_curvature(beta, eta, motion, length - s, xi)
+    whole = z_from_tip(beta, eta, motion, length, cosine_along(beta, eta, motion, 0))
+    z = whole - z_from_tip(beta, eta, motion, length - s, xi)
+    return angle, curvature, y_along(beta, eta, motion, s), z
 
 
 def cosine_along(beta, eta, motion, s):

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import cos, exp, floor, larger, pi, pick, sin, sqrt
+from derive.emit.kernels.arithmetic import asin, atan2, cos, exp, floor, larger, pi, pick, sin, spacing, sqrt
 from derive.emit.kernels.pieces import Piece, fall, onward, reach, slope
+from derive.emit.kernels.potential import fall_from_rest, moment_from_rest
 
 
 class Motion(NamedTuple):
@@ -26,7 +27,9 @@ class Motion(NamedTuple):
     middle: float
     sine: float  # sin(half_width)
     half_cosine: float  # cos(half_width/2)
-    skew: float  # far − near over 2 sin(half_width)
+    uneven: float  # √far − √near
+    done_sine: float  # sin(done/2)
+    left_sine: float  # sin(left/2)
 
 
 def motion_at(beta, eta, field_angle, piece: Piece, place):
@@ -40,14 +43,18 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     stiffness = pick(upper, hill.stiffness, well.stiffness)
     double_cosine = pick(upper, hill.double_cosine, well.double_cosine)
     double_sine = pick(upper, hill.double_sine, well.double_sine)
-    rest = hill._replace(stiffness=stiffness, double_cosine=double_cosine, double_sine=double_sine)
     tip = pick(upper, hill.angle, well.angle) + offset
-    near_moment = slope(eta, rest, offset)
+    near_moment = moment_from_rest(eta, stiffness, double_cosine, double_sine, offset)
+    # How far V falls from the tip to the well, or to the level of a ridge that the motion passes.
+    change = (drop + piece.level_gap if basin.passes else depth) / 2
+    height = fall_from_rest(eta, stiffness, double_cosine, double_sine, offset + change, change)
     done = piece.clamp_gap + drop
     if basin.even:
         half_width = depth + (basin.axis.angle - well.angle)
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
         far_moment, far_distance = near_moment, from_hill
+    elif field_angle == 0 and not basin.passes:
+        half_width, left, far_moment, far_distance = parallel_side(beta, eta, piece, rise, drop, from_hill, depth)
     else:
         half_width, left, far_moment, far_distance = far_side(eta, piece, rise, drop, depth, done)
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
@@ -55,12 +62,62 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     lack = (from_hill + far_distance) / 2 if whole_turn else pi - half_width
     sine = sin(pick(lack < half_width, lack, half_width))
     near, far = 2 * near_moment / sine, 2 * far_moment / sine
-    skew = 0 if basin.even else eta * sin(2 * (tip + half_width - field_angle))
-    end, middle = rates(beta, eta, field_angle, piece, tip, half_width, sine, near, far, drop, depth)
+    uneven = 0 if basin.even else unevenness(eta, field_angle, tip + half_width, sine, near, far)
+    # done/2 + left/2 = half_width: near half a turn one follows from the other.
+    done_sine = sin(pick(done > pi, lack + left / 2, done / 2))
+    left_sine = sin(pick(left > pi, lack + done / 2, left / 2))
+    end, middle = rates(beta, eta, field_angle, basin, tip, half_width, sine, near, far, height)
     half_cosine = sin(lack / 2)
     return Motion(
-        tip, half_width, done, left, near_moment, far_moment, near, far, end, middle, sine, half_cosine, skew
+        tip,
+        half_width,
+        done,
+        left,
+        near_moment,
+        far_moment,
+        near,
+        far,
+        end,
+        middle,
+        sine,
+        half_cosine,
+        uneven,
+        done_sine,
+        left_sine,
     )
+
+
+def unevenness(eta, field_angle, middle, sine, near, far):
+    """√far − √near: by the roots, or by far − near = 2η sin 2(middle − α) sin(half_width) where that is less."""
+    by_turns = 2 * eta * sin(2 * (middle - field_angle)) * sine / (sqrt(near) + sqrt(far))
+    return pick(near + far < 2 * eta * sine, sqrt(far) - sqrt(near), by_turns)
+
+
+def parallel_side(beta, eta, piece, rise, drop, from_hill, depth):
+    """``far_side`` within a well for a field along the force: the cosines of the turning points add up to −2β/η."""
+    basin = piece.basin
+    if piece.low_kind == "level":
+        low, high = sin(rise / 2) * sin(piece.low_offset + rise / 2), beta / eta + cos(from_hill / 2) ** 2
+    else:
+        low = sin(rise / 2) ** 2
+        low, high = beta / eta + low, (eta - beta) / eta - low
+    # sin² and cos² of half the distance from the far turning point to the far hill.
+    low, high = sqrt(larger(low, 0)), sqrt(larger(high, 0))
+    distance = 2 * atan2(low, high)
+    down = basin.far.angle - basin.far_well.angle
+    dip = sin(from_hill + depth / 2) * sin(depth / 2)
+    up = 2 * asin(within(dip / sin((down + distance) / 2)))
+    if piece.high_kind == "turn":
+        share = sin(from_hill + drop / 2) * sin(drop / 2) / sin((piece.far_gap + distance) / 2)
+        left = 2 * asin(within(share))
+    else:
+        left = up + piece.high_depth
+    return (up + depth) / 2, left, 4 * eta * dip * low * high, distance
+
+
+def within(sine):
+    """A sine that rounding may have brought beyond 1."""
+    return pick(sine < 1, sine, 1)
 
 
 def far_side(eta, piece, rise, drop, depth, done):
@@ -113,7 +170,7 @@ def beyond_clamp(eta, piece, drop, rough):
     return pick(rough > 0.25 * abs(start), rough, onward(eta, rest, start, -amount, rough))
 
 
-def rates(beta, eta, field_angle, piece, tip, half_width, sine, near, far, drop, depth):
+def rates(beta, eta, field_angle, basin, tip, half_width, sine, near, far, height):
     """dχ/dσ at the ends and in the middle of the motion."""
     middle, cosine = tip + half_width, cos(half_width)
     double = 2 * (middle - field_angle)
@@ -121,28 +178,24 @@ def rates(beta, eta, field_angle, piece, tip, half_width, sine, near, far, drop,
     excess = -(2 * beta * cos(middle) * cosine + eta * cos(double) * (1 + cosine * cosine))
     mean = -(2 * beta * cos(middle) + eta * cosine * cos(double))
     apart = mean - eta
-    close = above_field(eta, piece, middle, half_width, field_angle, drop, depth)
+    close = above_field(eta, basin, middle, half_width, field_angle, height)
     apart = pick(apart > 0.1 * eta, apart, close)
-    together = product + excess
-    split = sine * sine * apart * (mean + eta) / pick(excess < 0, product - excess, 1)
-    square = pick(excess < 0, split, together) / 4
-    return sqrt(product / 2), sqrt(larger(square, 0))
+    split = sine * sqrt(larger(apart * (mean + eta), 0) / pick(excess < 0, product - excess, 1))
+    return sqrt(product / 2), pick(excess < 0, split, sqrt(product + larger(excess, 0))) / 2
 
 
-def above_field(eta, piece, middle, half_width, field_angle, drop, depth):
+def above_field(eta, basin, middle, half_width, field_angle, height):
     """``mean`` less η where they are near each other: 2(V(tip) − V)/(cos(θ − middle) − cos(half_width)) at the θ at
     which it is least, which lies then near the ridge or the well."""
-    basin = piece.basin
-    well, axis = basin.well, basin.axis
-    if basin.passes:
-        high = -piece.high_depth
-        height = fall(eta, well, high - drop, drop + piece.level_gap)
-    else:
-        height = fall(eta, well, -depth, depth)
+    axis = basin.axis
     shift = wrapped(2 * (field_angle - middle))
     offset = wrapped(middle + shift - axis.angle)
+    # As near the ridge as rounding it is nearer still: it is there to the second order in the height.
+    offset = pick(abs(offset) < 32 * spacing(offset), 0, offset)
     outer, inner = sin(half_width / 2), sin(shift / 2)
-    return (height + fall(eta, axis, 0, offset)) / pick(outer * outer == inner * inner, 1, outer * outer - inner * inner)
+    return (height + fall(eta, axis, 0, offset)) / pick(
+        outer * outer == inner * inner, 1, outer * outer - inner * inner
+    )
 
 
 def wrapped(angle):

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import any_of, asin, cos, epsilon, floor, larger, pi, pick, sin, sqrt
-from derive.emit.kernels.landscape import Rest, offset_from
+from derive.emit.kernels.arithmetic import any_of, asin, cos, epsilon, floor, larger, pi, pick, sin, spacing, sqrt
+from derive.emit.kernels.landscape import Landscape, Rest, offset_from
 from derive.emit.kernels.potential import fall_from_rest, moment_from_rest
 
 
@@ -61,11 +61,13 @@ class Clamp(NamedTuple):
 
 def clamp_in(rests, angle):
     """Whole turns such that the clamp lies from the first hill up to, but not at, its like a turn on."""
-    start = floor((angle - rests[0].angle) / (2 * pi))
-    for turns in (start, start - 1, start + 1):
+    turns = floor((angle - rests[0].angle) / (2 * pi))
+    for _ in range(3):
         offsets = tuple(offset_from(rest, angle, turns) for rest in rests)
-        if offsets[0] >= 0 > offsets[-1]:
+        shift = pick(offsets[0] < 0, -1, pick(offsets[-1] >= 0, 1, 0))
+        if not any_of(shift != 0):
             break
+        turns = turns + shift
     return Clamp(turns, offsets)
 
 
@@ -94,7 +96,8 @@ def reach(eta, rest, amount, most, side):
         force = larger(abs(slope(eta, rest, side * near)), epsilon() ** 20)
         trial = near - 2 * here * (here - goal) / force
         trial = pick(trial > most, (near + most) / 2, pick(trial < 0, near / 2, trial))
-        moving, near = abs(trial - near) > 4 * epsilon() * near, trial
+        # Newton's method squares the error: after a step this small the next one would change nothing.
+        moving, near = abs(trial - near) > spacing(trial) ** 0.6 * near, trial
         if not any_of(moving):
             break
     return near
@@ -111,7 +114,7 @@ def onward(eta, rest, start, amount, rough):
         force = slope(eta, rest, start + distance)
         step = (fall(eta, rest, start, distance) - amount) / pick(force == 0, 1, force)
         distance = pick(abs(distance - step) > pi, rough, distance - step)
-        if not any_of(abs(step) > 4 * epsilon() * abs(distance)):
+        if not any_of(abs(step) > spacing(distance) ** 0.6 * abs(distance)):
             break
     return distance
 
@@ -122,55 +125,115 @@ def ridge_fall(beta, eta, field_angle, hill, ridge):
     return cos(half) * (2 * beta * sin(middle) - eta * sin(half) * sin(2 * (middle - field_angle)))
 
 
-def pieces(beta, eta, field_angle, scene, clamp):
-    """All ranges of tip angles below the clamp angle."""
+class Ground(NamedTuple):
+    """What the ranges of a rod are told by: its landscape and the clamp's offsets from the directions there.
+
+    drop: V(hill) − V(ridge); level: from the hill to the level of the ridge; height: V(ridge) − V(clamp). They are 0
+    where no ridge is lower than the hill.
+    """
+
+    scene: Landscape
+    at: tuple[float, ...]
+    drop: float
+    level: float
+    height: float
+
+
+def ground_of(beta, eta, field_angle, scene, clamp):
+    """The ground of a rod."""
     rests, at = scene.rests, clamp.offsets
     if len(rests) == 3:
-        even = eta == 0 or field_angle == 0 or field_angle == pi / 2
-        return in_basin(eta, local_basin(rests, 0, 0, even), at)
-    if scene.level:
-        first = 0 if at[2] < 0 else 2
-        return in_basin(eta, local_basin(rests, first, 0, True), at[first:])
-    drop = ridge_fall(beta, eta, field_angle, rests[0], rests[2])
+        return level_ground(scene, at)
+    drop = 0 if scene.level else ridge_fall(beta, eta, field_angle, rests[0], rests[2])
+    # A ridge lower by less than this would be passed only from within its square root of the hill.
+    if drop <= epsilon() ** 17 * (beta + eta):
+        return level_ground(scene._replace(level=True, even=True), at)
+    return ridge_ground(eta, scene, at, drop)
+
+
+def level_ground(scene, at):
+    """The ground without a ridge lower than the hill."""
+    return Ground(scene, at, 0, 0, 0)
+
+
+def ridge_ground(eta, scene, at, drop):
+    """The ground with a lower ridge."""
+    rests = scene.rests
     level = reach(eta, rests[0], drop, rests[1].angle - rests[0].angle, 1)
-    over = Basin(rests[0], rests[1], rests[4], rests[3], rests[2], 0, True, field_angle == 0)
-    if at[2] <= 0:
-        return in_first_basin(eta, over, local_basin(rests, 0, 0, False), level, at)
-    height = fall(eta, rests[2], 0, at[2])
-    if height > 0:
-        inner = in_basin(eta, local_basin(rests, 2, drop, False), at[2:])
-        return [pass_level(over, level, at), *inner]
-    return [pass_turn(eta, over, level, -height, at)]
+    return Ground(scene, at, drop, level, fall(eta, rests[2], 0, at[2]))
 
 
-def local_basin(rests, first, far_rise, even):
+def pieces(beta, eta, field_angle, scene, clamp):
+    """All ranges of tip angles below the clamp angle."""
+    ground = ground_of(beta, eta, field_angle, scene, clamp)
+    return [build(eta, ground) for here, build in ranges(ground) if here]
+
+
+def ranges(ground):
+    """Every range that a landscape of this kind can have: whether the rod has it, and its builder. From low to high."""
+    at = ground.at
+    if len(at) == 3:
+        return in_basin(at, 0, at[0] > 0, (first_clamp, first_turn))
+    if ground.scene.level:
+        first = in_basin(at, 0, (at[0] > 0) & (at[2] < 0), (first_clamp, first_turn))
+        return first + in_basin(at, 2, at[2] > 0, (last_clamp, last_turn))
+    before, above = at[2] <= 0, at[0] <= ground.level
+    last = (at[2] > 0) & (ground.height > 0)
+    return [
+        (before & above & (at[0] > 0), pass_clamp),
+        ((before & (at[0] > ground.level)) | last, pass_level),
+        ((at[2] > 0) & (ground.height <= 0), pass_turn),
+        *in_basin(at, 0, (at[0] > ground.level) & (at[2] < 0), (level_clamp, level_turn)),
+        *in_basin(at, 2, last, (last_clamp, last_turn)),
+    ]
+
+
+def in_basin(at, first, inside, builders):
+    """The range of a clamp inside a basin: one before the well and at it, another beyond."""
+    return [(inside & (at[first + 1] <= 0), builders[0]), (inside & (at[first + 1] > 0), builders[1])]
+
+
+def basin_of(ground, first):
     """The basin between two neighbouring hills."""
-    hill, well, far = rests[first : first + 3]
-    return Basin(hill, well, far, well, well, far_rise, False, even)
+    scene = ground.scene
+    hill, well, far = scene.rests[first : first + 3]
+    even = scene.even and (scene.level or len(scene.rests) == 3)
+    return Basin(hill, well, far, well, well, ground.drop if first else 0, False, even)
 
 
-def in_basin(eta, basin, at):
-    """The range in a basin of its own, from its hill up."""
-    if at[0] == 0:
-        return []
-    return [from_hill(eta, basin, at)]
+def over_ridge(ground):
+    """What stops a motion that passes the ridge."""
+    hill, well, ridge, second, far = ground.scene.rests
+    return Basin(hill, well, far, second, ridge, 0, True, ground.scene.even)
 
 
-def in_first_basin(eta, over, basin, level, at):
-    """The ranges when the clamp lies before the ridge, or on it."""
-    if at[0] == 0:
-        return []
-    if at[0] <= level:
-        return [pass_clamp(over, level, at)]
-    if at[2] == 0:
-        return [pass_level(over, level, at)]
-    return [pass_level(over, level, at), from_level(eta, basin, level, at)]
+def first_clamp(eta, ground):
+    """From the first hill to the clamp."""
+    return from_hill_to_clamp(basin_of(ground, 0), ground.at[:3])
 
 
-def from_hill(eta, basin, at):
-    """From the hill to the clamp, or to where the rod turns back at it."""
-    if at[1] <= 0:
-        return piece_of(basin, "hill", "clamp", 0, at[0], -at[1], 0, 0, at)
+def first_turn(eta, ground):
+    """From the first hill to where the rod turns back at the clamp."""
+    return from_hill_to_turn(eta, basin_of(ground, 0), ground.at[:3])
+
+
+def last_clamp(eta, ground):
+    """From the second hill to the clamp."""
+    return from_hill_to_clamp(basin_of(ground, 2), ground.at[2:])
+
+
+def last_turn(eta, ground):
+    """From the second hill to where the rod turns back at the clamp."""
+    return from_hill_to_turn(eta, basin_of(ground, 2), ground.at[2:])
+
+
+def from_hill_to_clamp(basin, at):
+    """From a hill to a clamp before the well."""
+    return piece_of(basin, "hill", "clamp", 0, at[0], -at[1], 0, 0, at)
+
+
+def from_hill_to_turn(eta, basin, at):
+    """From a hill to where the rod turns back at a clamp beyond the well."""
     down, depth = basin.well.angle - basin.hill.angle, at[1]
     width = -at[2]
     if not basin.even:
@@ -183,10 +246,15 @@ def from_hill(eta, basin, at):
     return piece_of(basin, "hill", "turn", 0, width, depth, depth + at[1], 0, at)
 
 
-def from_level(eta, basin, level, at):
-    """From the level of the ridge to the clamp, or to where the rod turns back at it, before the ridge."""
-    if at[1] <= 0:
-        return piece_of(basin, "level", "clamp", level, at[0] - level, -at[1], 0, 0, at)
+def level_clamp(eta, ground):
+    """From the level of the ridge to the clamp."""
+    level, at = ground.level, ground.at
+    return piece_of(basin_of(ground, 0), "level", "clamp", level, at[0] - level, -at[1], 0, 0, at)
+
+
+def level_turn(eta, ground):
+    """From the level of the ridge to where the rod turns back at the clamp, before the ridge."""
+    basin, level, at = basin_of(ground, 0), ground.level, ground.at
     down = basin.well.angle - basin.hill.angle
     above, below = -fall(eta, basin.well, 0, at[1]), fall(eta, basin.far, 0, at[2])
     from_well = reach(eta, basin.well, above, down, -1)
@@ -194,29 +262,38 @@ def from_level(eta, basin, level, at):
     return piece_of(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
 
 
-def pass_clamp(over, level, at):
+def pass_clamp(eta, ground):
     """From the highest hill to a clamp above the level of the ridge."""
-    return piece_of(over, "hill", "clamp", 0, at[0], -at[1], 0, level - at[0], at)
+    at = ground.at
+    return piece_of(over_ridge(ground), "hill", "clamp", 0, at[0], -at[1], 0, ground.level - at[0], at)
 
 
-def pass_level(over, level, at):
+def pass_level(eta, ground):
     """From the highest hill to the level of the ridge."""
+    over, level, at = over_ridge(ground), ground.level, ground.at
     return piece_of(over, "hill", "level", 0, level, over.well.angle - over.hill.angle - level, at[0] - level, 0, at)
 
 
-def pass_turn(eta, over, level, height, at):
+def pass_turn(eta, ground):
     """From the highest hill to where the rod turns back at a clamp above the level of the ridge, beyond it."""
+    over, level, at = over_ridge(ground), ground.level, ground.at
     down = over.well.angle - over.hill.angle
     width = -at[4] if over.even else reach(eta, over.hill, fall(eta, over.far, 0, at[4]), down, 1)
-    gap = -onward(eta, over.hill, level, -height, width - level)
+    gap = -onward(eta, over.hill, level, ground.height, width - level)
     return piece_of(over, "hill", "turn", 0, width, down - width, at[0] - width, gap, at)
 
 
 def piece_of(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, at):
     """The record of a range."""
     rests = (basin.hill, basin.well, basin.axis, basin.far_well, basin.far) if basin.passes else basin[:3]
-    rest, offset = min(zip(rests, at, strict=False), key=lambda pair: abs(pair[1]))
+    rest, offset = rests[0], at[0]
+    for other, distance in zip(rests[1:], at[1:], strict=False):
+        closer = abs(distance) < abs(offset)
+        rest, offset = pick_rest(closer, other, rest), pick(closer, distance, offset)
     last = at[len(rests) - 1]
-    return Piece(
-        basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last
-    )
+    return Piece(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last)
+
+
+def pick_rest(condition, yes, no):
+    """One or the other direction, number by number."""
+    return Rest(*(pick(condition, *pair) for pair in zip(yes, no, strict=True)))

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import ceil, deepest, epsilon, floor, inf, log, sqrt
+from derive.emit.kernels.arithmetic import ceil, deepest, epsilon, floor, inf, log, pi, sqrt
 from derive.emit.kernels.motion import Motion, motion_at
 from derive.emit.kernels.pieces import slope
 from derive.emit.kernels.swing import times
@@ -62,15 +62,20 @@ class Stay(NamedTuple):
 def delays(piece):
     """The delays at both ends, beyond the depth at which squares of offsets would underflow."""
     basin, depth = piece.basin, deepest(piece.width)
-    far = 1 / sqrt(basin.far.stiffness)
+    far = slowness(basin.far)
     if piece.low_kind == "level":
         return Delay(depth, 0, 0, far / 2, 0), NO_DELAY
-    low = Delay(depth, 1 / sqrt(basin.hill.stiffness), 0, far if basin.far_rise == 0 else 0, 0)
+    low = Delay(depth, slowness(basin.hill), 0, far if basin.far_rise == 0 else 0, 0)
     if piece.high_kind != "level":
         return low, NO_DELAY
-    ridge = 1 / sqrt(basin.axis.stiffness)
+    ridge = slowness(basin.axis)
     behind = ridge_offset(piece)
     return low, Delay(depth, 0, ridge, 0, ridge if behind > 0 else ridge / 2 if behind == 0 else 0)
+
+
+def slowness(hill):
+    """Length per unit of the logarithm of the distance from a hill; a flat one is never come near enough to count."""
+    return 1 / sqrt(hill.stiffness) if hill.stiffness > 0 else 0
 
 
 def ridge_offset(piece):
@@ -103,17 +108,19 @@ def crossings(beta, eta, field_angle, length, piece, most):
     def sample(place):
         return sample_at(beta, eta, field_angle, piece, ends, place)
 
+    # No half-swing is shorter than that of the stiffest pendulum.
+    signs = (1,) if length * sqrt(beta + eta) < pi else (1, -1)
     samples = refined(sample, [sample(place) for place in grid(beta, eta, length, piece)], length)
     end = end_sample(piece, samples[-1])
     if end is not None:
         samples.append(end)
     found = []
-    for sign in (1, -1):
+    for sign in signs:
         counts = [(length - sign * item.arrival) / (2 * item.swing) for item in samples]
-        for turns, before, after in brackets(sample, samples, counts, length, sign):
+        for turns, before, after, beside in brackets(sample, samples, counts, length, sign):
             # At least 2·turns − 1 conjugate points, or one more on the branch that has gone on.
             if (turns or sign > 0) and 2 * turns - (sign < 0) <= most:
-                found.append(crossing(sample, turns, sign, length, before, after))
+                found.append(crossing(sample, turns, sign, length, before, after, beside))
     return found
 
 
@@ -122,14 +129,17 @@ def excess(item, turns, sign, length):
     return (2 * turns * item.swing if turns else 0) + sign * item.arrival - length
 
 
-def crossing(sample, turns, sign, length, before, after):
-    """The crossing between two samples on either side of it."""
+def crossing(sample, turns, sign, length, before, after, beside):
+    """The crossing between two samples on either side of it; a third one beside them helps to start."""
 
     def function(place):
         return excess(sample(place), turns, sign, length)
 
     low, high = excess(before, turns, sign, length), excess(after, turns, sign, length)
-    return Crossing(bracketed_root(function, before.place, after.place, low, high), turns, sign, high > low)
+    third = excess(beside, turns, sign, length)
+    points = (before.place, after.place, beside.place), (low, high, third)
+    place = bracketed_root(function, *points, epsilon() * length)
+    return Crossing(place, turns, sign, high > low)
 
 
 def grid(beta, eta, length, piece):
@@ -142,45 +152,50 @@ def grid(beta, eta, length, piece):
         last = 2 * slow + rounding
     elif piece.high_kind == "turn":
         last = 2 * rounding
+    elif piece.high_depth == 0:
+        last = rounding
     else:
         # The tip of a stiff rod departs from the clamp angle by half the moment there times the length squared.
         moment = abs(slope(eta, piece.clamp_rest, piece.clamp_offset)) + epsilon() ** 20
         last = max(rounding, 4 + log(2 * piece.width) - log(moment) - 2 * log(length))
     inner = [0.0]
     for side, end in ((-1, -first), (1, last)):
-        place, step = 0.0, 0.75
-        while True:
-            place += step
-            step *= 1.25
-            if place >= end:
-                break
-            inner.append(side * place)
+        inner += [side * place for place in (1.25, 2.5, 5.0, 10.0) if place < end]
         inner.append(side * end)
     return sorted(inner)
 
 
 def refined(sample, samples, length):
-    """More samples where half-swing or arrival bend between neighbours."""
+    """More samples where half-swing or arrival bend between neighbours, as far as the rod's length is sensitive."""
     done, todo = [samples[0]], samples[:0:-1]
     while todo:
         before, after = done[-1], todo[-1]
-        if after.place - before.place > 1.5 and len(done) > 1 and bends(done[-2], before, after, length):
+        apart = after.place - before.place > 1.3
+        beside = [(done[-2], before, after)] if len(done) > 1 else []
+        beside += [(before, after, todo[-2])] if len(todo) > 1 else []
+        if apart and any(bends(*triple, length) for triple in beside):
             todo.append(sample((before.place + after.place) / 2))
-        elif after.place - before.place > 1.5 and len(todo) > 1 and bends(before, after, todo[-2], length):
-            middle = sample((before.place + after.place) / 2)
-            todo.append(middle)
         else:
             done.append(todo.pop())
     return done
 
 
 def bends(first, second, third, length):
-    """Whether a straight line through two samples misses the third by more than a little of what counts."""
+    """Whether the curves bend so much at the second sample that a count may reach a whole number unseen beside it.
+
+    By how far the straight line through two samples misses the third.
+    """
     share = (third.place - second.place) / (second.place - first.place)
-    for name in (1, 2):
-        miss = abs(third[name] - second[name] - share * (second[name] - first[name]))
-        if miss > 0.1 * (third[name] + second[name]):
-            return True
+    swing = third.swing - second.swing - share * (second.swing - first.swing)
+    arrival = third.arrival - second.arrival - share * (second.arrival - first.arrival)
+    least = min(first.swing, second.swing, third.swing)
+    reach = (abs(arrival) + (length / least * abs(swing) if length > least else 0)) / (2 * least)
+    for sign in (1, -1):
+        for item in (first, second, third):
+            count = (length - sign * item.arrival) / (2 * item.swing)
+            whole = floor(count + 0.5)
+            if abs(count - whole) < reach and (whole > 0 or whole == 0 and sign > 0):
+                return True
     return False
 
 
@@ -194,10 +209,11 @@ def end_sample(piece, last):
 
 
 def brackets(sample, samples, counts, length, sign):
-    """(turns, sample, sample) for every whole number that the count crosses between two samples."""
+    """(turns, sample, sample, a third) for every whole number that the count crosses between the two samples."""
     found = []
     for k in range(1, len(samples)):
-        found += between(samples[k - 1], samples[k], counts[k - 1], counts[k])
+        beside = samples[k - 2] if k > 1 else samples[-1] if len(samples) == k + 1 else samples[k + 1]
+        found += between(samples[k - 1], samples[k], counts[k - 1], counts[k], beside)
     for k in range(1, len(samples) - 1):
         before, here, after = counts[k - 1 : k + 2]
         if (before - here) * (after - here) > 0:
@@ -205,10 +221,10 @@ def brackets(sample, samples, counts, length, sign):
     return found
 
 
-def between(one, other, count_one, count_other):
+def between(one, other, count_one, count_other, beside):
     """The whole numbers from the lower count up to, but not at, the higher one."""
     low, high = (count_one, count_other) if count_one < count_other else (count_other, count_one)
-    return [(turns, one, other) for turns in range(max(ceil(low), 0), max(ceil(high), 0))]
+    return [(turns, one, other, beside) for turns in range(max(ceil(low), 0), max(ceil(high), 0))]
 
 
 def at_extremum(sample, triple, counts, length, sign):
@@ -229,7 +245,7 @@ def at_extremum(sample, triple, counts, length, sign):
     best = dip(sample, short, left, middle, right)
     if short(best) >= 0:
         return []
-    return [(goal, left, best), (goal, best, right)]
+    return [(goal, left, best, right), (goal, best, right, left)]
 
 
 def dip(sample, short, left, middle, right):
@@ -253,9 +269,15 @@ def dip(sample, short, left, middle, right):
     return middle
 
 
-def bracketed_root(function, a, b, value_a, value_b):
-    """A sign change of the function between a and b, to rounding, by Chandrupatla's method (1997)."""
-    fraction = 0.5
+def bracketed_root(function, places, values, blur):
+    """A sign change of the function between the first two places, to rounding, by Chandrupatla's method (1997).
+
+    The third place has a value, too. blur: a value that rounding may have made of zero.
+    """
+    (a, b, c), (value_a, value_b, value_c) = places, values
+    fraction = interpolated(a, b, c, value_a, value_b, value_c)
+    if not 0 < fraction < 1:
+        fraction = 0.5
     while True:
         trial = a + fraction * (b - a)
         value = function(trial)
@@ -266,15 +288,17 @@ def bracketed_root(function, a, b, value_a, value_b):
         a, value_a = trial, value
         best, value_best = (a, value_a) if abs(value_a) < abs(value_b) else (b, value_b)
         least = 2 * epsilon() * (1 + abs(best)) / abs(b - a)
-        if least > 0.5 or value_best == 0:
+        if least > 0.5 or abs(value_best) <= blur:
             return best
         fraction = min(1 - least, max(least, interpolated(a, b, c, value_a, value_b, value_c)))
 
 
 def interpolated(a, b, c, value_a, value_b, value_c):
     """Where on the way from a to b inverse quadratic interpolation puts the zero, or half way where it is unsafe."""
+    if value_c == value_b or value_c == value_a:
+        return 0.5
     x, y = (a - b) / (c - b), (value_a - value_b) / (value_c - value_b)
-    if y * y >= x or (1 - y) * (1 - y) >= 1 - x:
+    if x <= 0 or y * y >= x or (1 - y) * (1 - y) >= 1 - x:
         return 0.5
     share = value_a / (value_b - value_a) * value_c / (value_b - value_c)
     return share + (c - a) / (b - a) * value_a / (value_c - value_a) * value_b / (value_c - value_b)

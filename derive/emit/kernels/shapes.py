@@ -83,7 +83,7 @@ def point_at(motion, square, rest):
     scale = chi_scale(square, rest, flat)
     versine, coversine = chi_versine(square, rest, flat, scale), chi_coversine(rest, scale)
     level = turn_level(near, far, versine, coversine)
-    tilt = turn_tilt(near, far, motion.skew, motion.sine, chi_cosine(square, rest, flat, scale))
+    tilt = turn_tilt(near, far, motion.uneven, chi_cosine(square, rest, flat, scale))
     sine, cosine = sin(motion.half_width / 2), motion.half_cosine
     over, under = turn_over(near, sine, cosine, versine), turn_under(sine, cosine, level, tilt)
     left_over, left_under = turn_over(far, sine, cosine, coversine), turn_under(sine, cosine, level, -tilt)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import any_of, atan2, epsilon, pi, pick, sin, sqrt
+from derive.emit.kernels.arithmetic import any_of, atan2, epsilon, hypot, pi, pick, sin, sqrt
 from derive.emit.kernels.formulas import (
     back_below,
     back_below_rest,
@@ -40,12 +40,12 @@ class Phase(NamedTuple):
 def phase_of(motion):
     """The phase of the clamp: χ by the half-angle sines, and ψ by χ."""
     near, far, end = sqrt(motion.near), sqrt(motion.far), motion.end
-    done, left = sin(motion.done / 2), sin(motion.left / 2)
+    done, left = motion.done_sine, motion.left_sine
     whole = phase_sum(near, far, done, left)
     gap = sin((motion.left - motion.done) / 4)
-    cosine = phase_lead(near, far, motion.half_cosine, motion.skew, motion.sine, done, gap) / whole
-    square, size, first = chi_square(far * done, near * left, whole), abs(cosine), cosine >= 0
-    delta = phase_rate(end, motion.middle, square, cosine * cosine)
+    cosine = phase_lead(near, motion.half_cosine, motion.uneven, done, gap) / whole
+    square, size, first = chi_square(far * done / whole, near * left / whole), abs(cosine), cosine >= 0
+    delta = hypot(end * cosine, motion.middle * sqrt(square))
     half = pick(first, half_square(end, square, size, delta), half_square_beyond(end, size, delta))
     rest = pick(first, half_rest(end, size, delta), half_rest_beyond(end, motion.middle, square, size, delta))
     return Phase(half, rest, whole, delta)

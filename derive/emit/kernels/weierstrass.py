@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.agm import agm, half_period
+from derive.emit.kernels.agm import half_period
 from derive.emit.kernels.arithmetic import atan2, ceil, cos, epsilon, exp, log, pi, sin, sqrt
 from derive.emit.kernels.array_arithmetic import (
     each_cos,
@@ -66,7 +66,7 @@ def half_periods(g2, g3):
     """ω₁ and ω₃/i, by the arithmetic-geometric mean (DLMF 23.22(ii)); errors as in ``half_period_values``."""
     _, upper, lower = half_period_values(g2, g3)
     whole = sqrt(upper + lower)
-    return half_period(agm(whole, sqrt(upper))), half_period(agm(whole, sqrt(lower)))
+    return half_period(whole, sqrt(upper)), half_period(whole, sqrt(lower))
 
 
 def lattice_of(g2, g3):

@@ -1,0 +1,69 @@
+"""`derive emit`: write modules, compare them with what is there, or explain what they leave out."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from derive import output, pipeline, show
+from derive.commands import emitted_files, failed, running, save, scene_path, shipped, write_modules
+from derive.measure.imports import import_times
+from derive.numbers import MistakeError
+from derive.runner import Runner
+
+PACKAGES = {"numpy": "numpy", "mpmath": "mpmath"}  # what modules of a backend stand on
+
+
+def run_emit(options: argparse.Namespace) -> int:
+    """Write modules; with --check compare them with what is there, with --explain say what they leave out."""
+    scenes = [scene_path(name) for name in options.scenes] or shipped()
+    if options.explain and (options.check or options.out):
+        raise MistakeError("--explain writes no module; leave --check and --out away")
+    with running(options) as runner:
+        if options.explain:
+            return explain(options, runner, scenes)
+        if options.check:
+            return check(options, runner, scenes)
+    return write_modules(options, scenes, paper=False)
+
+
+def check(options: argparse.Namespace, runner: Runner, scenes: Sequence[Path]) -> int:
+    """Compare the modules with what is there."""
+    folder = options.out or output.default_folder()
+    job = pipeline.Job()
+    pipeline.emit_modules(runner, job, pipeline.read_scenes(runner, scenes))
+    if not job.holds:
+        return failed(job)
+    files = emitted_files(runner, job, folder, kernels=not options.out)
+    lines = output.drift(files, folder, complete=not options.scenes)
+    sys.stdout.writelines(lines)
+    save(options.json, {"drift": [line.rstrip("\n") for line in lines]})
+    if lines:
+        print(f"derive emit: {folder} differs from what the scenes give; run 'derive emit'", file=sys.stderr)
+    return 1 if lines else 0
+
+
+def explain(options: argparse.Namespace, runner: Runner, scenes: Sequence[Path]) -> int:
+    """Say what the modules of scenes leave out and why, and how large and how fast to import they are."""
+    found = pipeline.explain_scenes(runner, pipeline.read_scenes(runner, scenes))
+    times = import_times(texts(found))
+    for one in found:
+        one["size"]["import_ms"] = asdict(times[f"{one['scene']}_{one['backend']}"])
+        one["full_size"]["import_ms"] = asdict(times[f"full {one['backend']}"])
+        del one["text"], one["full_text"]
+    console = show.console()
+    for one in found:
+        show.show_left_out(console, one)
+    show.show_sizes(console, found)
+    save(options.json, {"modules": found})
+    return 0
+
+
+def texts(found: Sequence[dict[str, Any]]) -> dict[str, tuple[str, str]]:
+    """The modules to import, and the full one of each backend once: package and text."""
+    modules = {f"full {one['backend']}": (PACKAGES[one["backend"]], one["full_text"]) for one in found}
+    return modules | {f"{one['scene']}_{one['backend']}": (PACKAGES[one["backend"]], one["text"]) for one in found}

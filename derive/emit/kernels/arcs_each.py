@@ -1,0 +1,165 @@
+"""The kernels of ``arcs`` on arrays.
+
+Emitted by `derive emit` from kernels/arcs.py: do not edit, change that file.
+
+Digest of the inputs: sha256 68d825a1b8133f2fe7fcce4fcc1cfb4cd3aa1fc306d5d177d5f660510fd099da
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from derive.emit.kernels.arithmetic import epsilon
+from derive.emit.kernels.array_arithmetic import (
+    any_of,
+    arctan_share,
+    complex_of,
+    complex_sqrt,
+    each_abs,
+    each_cos,
+    each_sin,
+    each_sqrt,
+    pick,
+)
+from derive.emit.kernels.formulas_each import (
+    arc_kink_each,
+    arc_kink_tip_each,
+    arc_square_each,
+    arc_y_each,
+    arc_z_each,
+    far_pair_root_each,
+    far_root_each,
+    others_product_each,
+    others_sum_each,
+    pair_lift_each,
+    pair_root_each,
+    pair_root_sum_each,
+    phase_rate_each,
+    point_near_each,
+    point_pole_each,
+    pole_gap_each,
+    rest_stiffness_each,
+    rj_delta_imag_each,
+    rj_delta_real_each,
+    strength_each,
+    tip_cubic_each,
+    w_imag_each,
+    w_real_each,
+)
+from derive.emit.kernels.swing_each import second_kind_each
+
+
+class PointEach(NamedTuple):
+    """A point of a motion by ℘ − c = x and ℘ − e at its three half-period values.
+
+    one: ℘ − e₁, with e₁ that of the far turning point. product, root_sum: √(℘ − e₂)√(℘ − e₃) and √(℘ − e₂) + √(℘ − e₃),
+    real also where e₂ and e₃ are a complex pair.
+    """
+
+    strength: float  # b
+    pole: float  # x
+    one: float
+    product: float
+    root_sum: float
+
+
+class ArcEach(NamedTuple):
+    """A stretch of rod from the tip: ∫cos θ, ∫sin θ and η∫cos²(θ − α)."""
+
+    y: float
+    z: float
+    square: float
+
+
+def clamp_point_each(motion, phase):
+    """The point where the motion meets the clamp."""
+    b, done = strength_each(motion.near_moment), motion.done_sine
+    one = point_near_each(b, motion.sine, done, motion.left_sine)
+    product = pair_root_each(each_sqrt(motion.near), done, phase.whole, phase.delta / motion.end)
+    delta = phase_rate_each(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
+    return PointEach(
+        b, point_pole_each(b, done, each_cos(motion.done / 2)), one, product, pair_root_sum_each(phase.square, delta)
+    )
+
+
+def far_point_each(motion):
+    """The far turning point."""
+    b = strength_each(motion.near_moment)
+    pole = point_pole_each(b, motion.sine, each_cos(motion.half_width))
+    return PointEach(b, pole, 0, far_pair_root_each(motion.end), motion.middle)
+
+
+def arc_to_each(beta, eta, field_angle, motion, point, square, rest, extent):
+    """The arc from the tip to a point, at ψ, of the given length."""
+    sine, cosine, lean = each_sin(motion.tip), each_cos(motion.tip), motion.tip - field_angle
+    double_sine, double_cosine = each_sin(2 * lean), each_cos(2 * lean)
+    root = far_root_each(motion.near, each_cos(motion.half_width))
+    w_re, w_im = shift_each(eta, double_sine, double_cosine, motion, point, root, square, rest)
+    y, z = arc_y_each(sine, cosine, extent, w_re, w_im), arc_z_each(sine, cosine, extent, w_re, w_im)
+    first, second = motion.end / 2, motion.middle / 2
+    q, m = rest_stiffness_each(beta, eta, cosine, double_cosine), tip_cubic_each(beta, eta, sine, double_sine)
+    kink = kink_at_each(first, second, point, root, q, m, square, rest)
+    growth = second_kind_each(first, second, square, rest, extent)
+    return ArcEach(y, z, arc_square_each(beta, eta, cosine, each_cos(lean), first, root, extent, y, kink, growth))
+
+
+def shift_each(eta, double_sine, double_cosine, motion, point, root, square, rest):
+    """W as real and imaginary part: ∫e^{iθ} from the tip is e^{iφ}(σ + W)."""
+    b, near, far = point.strength, each_sqrt(motion.near), each_sqrt(motion.far)
+    twist = complex_of(rj_delta_real_each(eta, b, double_cosine), rj_delta_imag_each(eta, b, double_sine))
+    lift = pair_lift_each(near, far, motion.uneven, motion.half_cosine, square, rest)
+    pole, lifted, less = complex_of(point.pole, -b), complex_of(lift, -b), complex_of(root, -b)
+    third = rj_pair_each(point.one, point.product, point.root_sum, pole, lifted, less, twist)
+    return w_real_each(b, third.imag), w_imag_each(b, third.real)
+
+
+def kink_at_each(first, second, point, root, q, m, square, rest):
+    """The part of η∫cos²(θ − α) without integral; towards the tip its terms are large and cancel in the first form."""
+    b, x, product = point.strength, point.pole, point.product
+    delta, across, near_root = phase_rate_each(
+        first, second, square, rest
+    ), each_sqrt(square * rest), each_sqrt(point.one)
+    others = others_sum_each(q, root)
+    gap = pole_gap_each(x, each_abs(x), others, others_product_each(b, m, root, others), product)
+    far = arc_kink_each(square, delta, across, b, x, near_root, product)
+    return pick(x > 1, arc_kink_tip_each(first, second, delta, across, b, x, near_root, gap), far)
+
+
+def rj_pair_each(x, product, root_sum, p, lift, less, twist):
+    """R_J(x, y, z, p) by duplication, for x ≥ 0, complex p, and y and z by √y√z and √y + √z.
+
+    lift, less, twist: p + √y√z, p − x and (p − x)(p − y)(p − z), which the rod gives without cancellation. Sums of
+    positive terms only in x, y, z. Where √p and −√y are near each other, their sum follows from their difference.
+    """
+    pair = root_sum * root_sum - 2 * product
+    mean = start = (x + pair + 2 * p) / 5
+    one, two = start - x, 2 * start - pair
+    both = start * start - start * pair + product * product
+    reach = each_abs(one) + each_abs(start - p) + each_sqrt(each_abs(both))
+    target = (epsilon() / 4) ** 0.125
+    scale, total = 1, 0
+    while any_of(reach > target * scale * each_abs(mean)):
+        root, root_p = each_sqrt(x), complex_sqrt(p)
+        side, across = root_p * root_sum, root * root_sum
+        plus, minus = lift + side, lift - side
+        cancels = (each_abs(plus) < each_abs(minus)) & (scale == 1)
+        d = (root_p + root) * pick(cancels, twist / (less * pick(cancels, minus, 1)), plus)
+        raised, lifted = (lift + across, each_sqrt(x + product + across))
+        end = 2 * root_p * raised / d
+        total = total + arctan_share(twist / (scale * scale * scale * d * d), end) / (scale * d)
+        pair = root_sum * (root_sum + 2 * root) / 4
+        x, p = (x + product + across) / 4, raised / 4
+        product, root_sum = root_sum * lifted / 4, each_sqrt(root_sum * (root_sum + 2 * root + 2 * lifted)) / 2
+        lift, mean = p + product, (x + pair + 2 * p) / 5
+        scale *= 4
+    size = scale * mean
+    a, b, c = one / size, two / size, both / (size * size)
+    d = -(a + b) / 2
+    e2 = a * b + c - 3 * d * d
+    e3 = a * c + 2 * e2 * d + 4 * d * d * d
+    e4 = (2 * a * c + e2 * d + 3 * d * d * d) * d
+    e5 = a * c * d * d
+    low = -3 * e2 / 14 + e3 / 6 + 9 * e2 * e2 / 88 - 3 * e4 / 22 - 9 * e2 * e3 / 52 + 3 * e5 / 26
+    high = -e2 * e2 * e2 / 16 + 3 * e3 * e3 / 40 + 3 * e2 * e4 / 20 + 45 * e2 * e2 * e3 / 272
+    high = high - 9 * (e3 * e4 + e2 * e5) / 68
+    return (1 + low + high) / (scale * mean * complex_sqrt(mean)) + 6 * total

@@ -1,0 +1,68 @@
+"""The arguments of the mpmath twin, where arrays are lists: what differs from ``arguments``."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from mpmath import mp
+
+from derive.emit.kernels.arguments import Given, integer, not_negative, positive
+from derive.emit.kernels.arithmetic import real
+
+FEWEST = 15  # decimal digits
+MOST = 1000
+
+
+def digits(dps):
+    """The decimal digits to work with: those that are asked for, else the caller's; from 15 to 1000."""
+    wanted = mp.dps if dps is None else integer("dps", dps)
+    if not FEWEST <= wanted <= MOST:
+        whose = "dps" if dps is not None else "the precision of the caller, mp.dps,"
+        raise ValueError(f"{whose} must be from {FEWEST} to {MOST} digits, got {wanted}")
+    return wanted
+
+
+def many_rods(beta, eta, length, clamp_angle, field_angle):
+    """The parameters of many rods as lists of one length; numbers are repeated.
+
+    TypeError or ValueError names the first argument that cannot be, and the index of its first bad value.
+    """
+    given = Given(
+        all_not_negative("beta", beta),
+        all_not_negative("eta", eta),
+        all_positive("length", length),
+        all_real("clamp_angle", clamp_angle),
+        all_real("field_angle", field_angle),
+    )
+    lengths = {len(part) for part in given if isinstance(part, list)}
+    if len(lengths - {1}) > 1:
+        sizes = [
+            f"{name} {len(part)}" for name, part in zip(given._fields, given, strict=True) if isinstance(part, list)
+        ]
+        raise ValueError(f"sequences must have one length: their lengths are {', '.join(sizes)}")
+    rows = 1 if not lengths or lengths == {1} else max(lengths - {1})
+    columns = [part if isinstance(part, list) else [part] for part in given]
+    parts = [column * rows if len(column) == 1 else column for column in columns]
+    return Given(*parts)
+
+
+def all_not_negative(name, values):
+    """Real numbers ≥ 0, or an error that names the argument and the index of the first that is none."""
+    return each_of(not_negative, name, values)
+
+
+def all_positive(name, values):
+    """Real numbers > 0, or an error that names the argument and the index of the first that is none."""
+    return each_of(positive, name, values)
+
+
+def all_real(name, values):
+    """A number, or a sequence of them as a list; TypeError or ValueError names the argument and the place."""
+    return each_of(real, name, values)
+
+
+def each_of(convert, name, values):
+    """A number or a list, each converted under its own name."""
+    if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
+        return convert(name, values)
+    return [convert(f"{name}[{place}]", value) for place, value in enumerate(values)]

@@ -1,0 +1,166 @@
+"""Where the length of a branch is stationary in the tip angle: there two equilibria of a rod of that length meet."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from derive.emit.kernels.arithmetic import ceil, epsilon, exp
+from derive.emit.kernels.equilibria import Rod
+from derive.emit.kernels.landscape import landscape
+from derive.emit.kernels.pieces import Piece, clamp_in, pieces
+from derive.emit.kernels.search import bracketed_root, delays, dip, grid, refined, stay_at
+from derive.emit.kernels.swing import times
+from derive.emit.kernels.variations import Change, rates_of_times
+
+# Branches whose extremum is further from the rod's length than this share of it are not looked at.
+WINDOW = 0.5
+
+
+class Probe(NamedTuple):
+    """Half-swing, first arrival, and their derivatives by the place."""
+
+    place: float
+    swing: float
+    arrival: float
+    swing_rate: float
+    arrival_rate: float
+
+
+class Mark(NamedTuple):
+    """An extremum of a branch's length over the tip angle.
+
+    key: what tells it from the others of this rod: side, piece, branch, whether a maximum, and which one. group: what
+    of it stays when it goes over to another piece. height: the length there over the rod's, less 1. slope: the
+    derivative of that by η.
+    """
+
+    key: tuple
+    group: tuple
+    place: float
+    height: float
+    slope: float
+    rod: Rod
+    turns: int
+    piece: Piece
+
+
+def marks(sides, wanted=None):
+    """The extrema of all branches of a rod, given from both sides, by key; or only the one wanted."""
+    found = {}
+    for rod in sides:
+        stiff = rod.length * rod.length * (rod.beta + rod.eta) < 2  # nothing meets below (π/2)²
+        if stiff or (wanted is not None and wanted[0] != rod.side):
+            continue
+        scene = landscape(rod.beta, rod.eta, rod.field_angle)
+        clamp = clamp_in(scene.rests, rod.clamp_angle)
+        for number, piece in enumerate(pieces(rod.beta, rod.eta, rod.field_angle, scene, clamp)):
+            where = (rod.side, number, piece.low_kind, piece.high_kind, piece.basin.passes)
+            if wanted is None or wanted[: len(where)] == where:
+                for mark in marks_on(rod, clamp.turns, piece, where, wanted):
+                    found[mark.key] = mark
+    return found
+
+
+def marks_on(rod, turns, piece, where, wanted):
+    """The extrema of the branches on a piece."""
+    ends = delays(piece)
+
+    def sample(place):
+        return probe(rod, piece, ends, place)
+
+    places = grid(rod.beta, rod.eta, rod.length, piece)
+    samples = refined(sample, [sample(place) for place in places], rod.length)
+    branches = branches_near(samples, rod.length) if wanted is None else [wanted[len(where) : len(where) + 2]]
+    for sign, swings in branches:
+        count = {True: 0, False: 0}
+        for before, after in brackets_of(sample, samples, sign, swings, rod.length):
+            top = rate(before, sign, swings) > 0
+            key = (*where, sign, swings, top, count[top])
+            count[top] += 1
+            if (wanted is None or key == wanted) and near(before, after, sign, swings, rod.length):
+                yield mark_at(rod, turns, piece, sample, key, sign, swings, before, after)
+
+
+def probe(rod, piece, ends, place):
+    """The times at a place and their derivatives; in the deep, these are the delays."""
+    stay = stay_at(rod.beta, rod.eta, rod.field_angle, piece, ends, place)
+    swing, arrival = times(stay.motion)
+    side = -1 if place < 0 else 1
+    delay = ends[place >= 0]
+    swing, arrival = swing + stay.tip + stay.middle + stay.far, arrival + stay.tip + stay.arrival
+    if abs(place) >= delay.deepest:
+        return Probe(place, swing, arrival, side * (delay.tip + delay.middle + delay.far), side * delay.arrival)
+    share = piece.width / ((1 + exp(place)) * (1 + exp(-place)))
+    rates = rates_of_times(rod.beta, rod.eta, rod.field_angle, stay.motion, Change(share, 0, 0))
+    return Probe(place, swing, arrival, *rates)
+
+
+def length_of(item, sign, swings):
+    """The length of a branch."""
+    return (2 * swings * item.swing if swings else 0) + sign * item.arrival
+
+
+def rate(item, sign, swings):
+    """The derivative of the length of a branch by the place; 0 where it is within rounding of it."""
+    value = (2 * swings * item.swing_rate if swings else 0) + sign * item.arrival_rate
+    return value if abs(value) > 64 * epsilon() * (2 * swings * item.swing + item.arrival) else 0
+
+
+def branches_near(samples, length):
+    """(sign, swings) of every branch that is somewhere about as long as the rod."""
+    shortest = min(item.swing for item in samples)
+    last = ceil((1 + WINDOW) * length / (2 * shortest)) + 1
+    return [(sign, swings) for sign in (1, -1) for swings in range(0 if sign > 0 else 1, last + 1)]
+
+
+def near(before, after, sign, swings, length):
+    """Whether one of two neighbours is about as long as the rod."""
+    return any(abs(length_of(item, sign, swings) / length - 1) < WINDOW for item in (before, after))
+
+
+def brackets_of(sample, samples, sign, swings, length):
+    """Pairs of samples between which the derivative changes sign, in the order of places."""
+    seen = [item for item in samples if rate(item, sign, swings) != 0]
+    values = [rate(item, sign, swings) for item in seen]
+    found = []
+    for k in range(1, len(seen)):
+        if (values[k] > 0) != (values[k - 1] > 0):
+            found.append((seen[k - 1], seen[k]))
+        elif k + 1 < len(seen) and near(seen[k], seen[k], sign, swings, length):
+            found += twice(sample, seen[k - 1 : k + 2], values[k - 1 : k + 2], sign, swings)
+    return found
+
+
+def twice(sample, triple, values, sign, swings):
+    """The two sign changes beside the middle one of three samples, where the derivative may go beyond zero."""
+    before, here, after = (abs(value) for value in values)
+    facing = values[1] > 0
+    if (values[2] > 0) != facing or not (here < before and here < after) or here > max(before - here, after - here):
+        return []
+
+    def short(item):
+        value = rate(item, sign, swings)
+        return value if facing else -value
+
+    best = dip(sample, short, *triple)
+    return [(triple[0], best), (best, triple[2])] if short(best) < 0 else []
+
+
+def mark_at(rod, turns, piece, sample, key, sign, swings, before, after):
+    """The extremum between two samples, to rounding of the place."""
+
+    def function(place):
+        item = sample(place)
+        return (2 * swings * item.swing_rate if swings else 0) + sign * item.arrival_rate
+
+    place = bracketed_root(function, before.place, after.place, function(before.place), function(after.place), 0)
+    height = length_of(sample(place), sign, swings) / rod.length - 1
+    slope = slope_at(rod, piece, place, sign, swings, Change(0, 0, 1))
+    return Mark(key, (rod.side, sign, swings, key[-2]), place, height, slope, rod, turns, piece)
+
+
+def slope_at(rod, piece, place, sign, swings, change):
+    """The derivative of the length of a branch by the loads, over the rod's length."""
+    stay = stay_at(rod.beta, rod.eta, rod.field_angle, piece, delays(piece), place)
+    swing, arrival = rates_of_times(rod.beta, rod.eta, rod.field_angle, stay.motion, change)
+    return ((2 * swings * swing if swings else 0) + sign * arrival) / rod.length

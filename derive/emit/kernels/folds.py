@@ -1,0 +1,220 @@
+"""Where equilibria meet and vanish as the field grows, and where two branches of a diagram exchange."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from derive.emit.kernels.arithmetic import ceil, frexp, ldexp, log, pi, sqrt
+from derive.emit.kernels.equilibria import Rod, bent_rod, direction, principal, reflected
+from derive.emit.kernels.extrema import marks, slope_at
+from derive.emit.kernels.landscape import landscape
+from derive.emit.kernels.pieces import clamp_in
+from derive.emit.kernels.search import Crossing, bracketed_root
+from derive.emit.kernels.tracking import follow, zeros
+from derive.emit.kernels.variations import Change
+
+# How near, as a share of the loads, an exchange may lie to where its branch's extremum itself appears.
+CLOSE = 1e-3
+
+
+@dataclass(frozen=True, slots=True)
+class Fold:
+    """Two equilibria meet, at this η, and vanish on one side of it.
+
+    tip_angle, clamp_curvature, y, z: of the rod there. index: the lower of the two indices that meet; the other one is
+    index + 1. change: the number of equilibria just above this η less that just below: 2 or −2. kind: 'fold', or
+    'pitchfork' where the two that vanish meet a third one, the straight rod.
+    """
+
+    eta: float
+    tip_angle: float
+    clamp_curvature: float
+    y: float
+    z: float
+    index: int
+    change: int
+    kind: str
+
+
+@dataclass(frozen=True, slots=True)
+class Exchange:
+    """At this β and η the two folds of a diagram over η meet: it changes its aspect as β goes by.
+
+    With F = θ(0) − clamp angle as a function of the tip angle φ and of η: F = ∂F/∂φ = ∂F/∂η = 0. kind: 'exchange',
+    where two branches cross (F has a saddle) and their halves are joined otherwise on either side of β; 'isolated',
+    where a closed branch shrinks to a point and vanishes (F has an extremum). tip_angle, clamp_curvature, y, z: of
+    the rod there. index: the lower of the two indices that meet.
+    """
+
+    beta: float
+    eta: float
+    tip_angle: float
+    clamp_curvature: float
+    y: float
+    z: float
+    index: int
+    kind: str
+
+
+def all_folds(beta, length, clamp_angle, field_angle, low, high):
+    """Every fold with η in [low, high], sorted by η and tip angle."""
+    scale = frexp(beta + high)[1] // 2
+    field = principal(field_angle)
+    beta, length = ldexp(beta, -2 * scale), ldexp(length, scale)
+    places = steps(beta, beta, length, ldexp(low, -2 * scale), ldexp(high, -2 * scale))
+    if not places:
+        return []
+
+    def at(eta, key):
+        return marks(both_sides(beta, eta, length, clamp_angle, field, scale), key)
+
+    found = [fold_of(sharpened(at, key, eta)) for key, eta in zeros(at, places, -beta)]
+    found += pitchforks(beta, length, clamp_angle, field, scale, places)
+    return sorted(found, key=lambda item: (item.eta, item.tip_angle))
+
+
+def both_sides(beta, eta, length, clamp_angle, field, scale):
+    """The rod, and its mirror image."""
+    return (
+        Rod(beta, eta, length, clamp_angle, field, 1, scale),
+        Rod(beta, eta, length, -clamp_angle, reflected(field), -1, scale),
+    )
+
+
+def steps(beta, soonest, length, low, high):
+    """The η to look at first, from where ``soonest``, the largest force, lets equilibria meet; beta: the least one.
+
+    As long as ℓ²(β + η) < (π/2)² nothing meets: ∂θ(0)/∂θ(ℓ) has no zero yet (Sturm).
+    """
+    first = pi / 2 / length
+    start, offset = max(low, first * first - soonest), max(beta, first * first)
+    if start >= high:
+        return []
+    ratio = (offset + high) / (offset + start)
+    count = ceil(20 * log(ratio)) + 2
+    inner = [(offset + start) * ratio ** (k / count) - offset for k in range(1, count)]
+    return [start, *(eta for eta in inner if start < eta < high), high]
+
+
+def sharpened(at, key, eta):
+    """The extremum where its length is the rod's, by one step of Newton's method: η then has no error of its own."""
+    mark = at(eta, key)[key]
+    return at(eta - mark.height / mark.slope, key).get(key, mark)
+
+
+def fold_of(mark):
+    """The fold of an extremum whose length is the rod's."""
+    rod, top = mark.rod, mark.group[-1]
+    found = rod_of(mark)
+    change = 2 if (mark.slope > 0) == top else -2
+    eta = ldexp(rod.eta, 2 * rod.scale)
+    return Fold(eta, found.tip_angle, found.clamp_curvature, found.y, found.z, found.index, change, "fold")
+
+
+def rod_of(mark):
+    """The equilibrium of an extremum."""
+    _, sign, swings, _ = mark.group
+    index = 2 * swings - (1 if sign < 0 else 0)
+    return bent_rod(mark.rod, mark.turns, mark.piece, Crossing(mark.place, swings, sign, True), index)
+
+
+def pitchforks(beta, length, clamp_angle, field, scale, places):
+    """Where the rod that stays straight buckles: ℓ√(−dθ″/dθ) is an odd number of quarter turns.
+
+    The clamp angle is without moment for every η only where the rod is symmetric about it, and then the bent rods
+    come in pairs. Near it u″ = (B + C)u − (B + 4C)u³/6 + (B + 16C)u⁵/120 with B = β cos θ₀, C = η cos 2(θ₀ − α): the
+    signs say whether the half-swing grows with the amplitude.
+    """
+    rests = [straight_at(beta, eta, clamp_angle, field) for eta in (places[0], places[len(places) // 2], places[-1])]
+    if any(rest is None for rest in rests):
+        return []
+    cosine, sine = direction(rests[-1])
+    force, facing = beta * cosine, 1 if rests[-1].double_cosine > 0 else -1
+    found, index = [], 0
+    while index <= length * sqrt(beta + places[-1]) / pi:
+        wave = (index + 0.5) * pi / length
+        eta = -facing * (wave * wave + force)
+        if places[0] <= eta <= places[-1]:
+            cubic = force + 4 * facing * eta
+            softening = cubic < 0 if cubic != 0 else force + 16 * facing * eta > 0
+            change = 2 if softening == (facing < 0) else -2
+            extent = ldexp(length, -scale)
+            at = (clamp_angle, 0 * extent, cosine * extent, sine * extent)
+            found.append(Fold(ldexp(eta, 2 * scale), *at, index, change, "pitchfork"))
+        index += 1
+    return found
+
+
+def straight_at(beta, eta, clamp_angle, field):
+    """The direction without moment that is the clamp angle; None if there is none."""
+    rests = landscape(beta, eta, field).rests
+    offsets = clamp_in(rests, clamp_angle).offsets
+    return next((rest for rest, offset in zip(rests, offsets, strict=True) if offset == 0), None)
+
+
+def all_exchanges(length, clamp_angle, field_angle, low_beta, high_beta, low, high):
+    """Every point with β and η in these ranges at which two folds meet, sorted by β and η."""
+    scale = frexp(high_beta + high)[1] // 2
+    field = principal(field_angle)
+    low_beta, high_beta, low, high = (ldexp(load, -2 * scale) for load in (low_beta, high_beta, low, high))
+    length = ldexp(length, scale)
+    places = steps(low_beta, high_beta, length, low, high)
+    if not places:
+        return []
+
+    def at(beta, key):
+        def extrema(eta, kept):
+            return marks(both_sides(beta, eta, length, clamp_angle, field, scale), kept)
+
+        return stationary(extrema, places, -beta, key)
+
+    count = ceil(20 * (high_beta - low_beta) / (low_beta + high)) + 3
+    loads = [low_beta, *(low_beta + k * (high_beta - low_beta) / count for k in range(1, count)), high_beta]
+    found = [exchange_of(at, key, beta) for key, beta in zeros(at, loads, -high, CLOSE)]
+    return sorted(found, key=lambda item: (item.beta, item.eta))
+
+
+def stationary(at, places, origin, key):
+    """The extrema of branches whose length is stationary in η too, by key; or only the one wanted."""
+
+    def near(eta, _):
+        return at(eta, None if key is None else key[0])
+
+    rows = follow(near, places, origin, CLOSE)
+    found, count = {}, {}
+    for low, high in zip(rows, rows[1:], strict=False):
+        for name, mark in low.values.items():
+            if name not in high.values or (mark.slope > 0) == (high.values[name].slope > 0):
+                continue
+            top = mark.slope > 0
+            number = count[name, top] = count.get((name, top), -1) + 1
+            if key is None or key == (name, top, number):
+                best = level_point(at, name, low, high)
+                if best is not None:
+                    found[name, top, number] = best._replace(key=(name, top, number), group=(*best.group, top))
+    return found
+
+
+def level_point(at, name, low, high):
+    """The extremum between two rows at which the length is stationary in η; None if it is not there all the way."""
+
+    def function(eta):
+        return at(eta, name)[name].slope
+
+    try:
+        eta = bracketed_root(function, low.place, high.place, low.values[name].slope, high.values[name].slope, 0)
+        return at(eta, name)[name]
+    except KeyError:
+        return None
+
+
+def exchange_of(at, key, beta):
+    """The exchange of a doubly stationary length that is the rod's; a step of Newton's method sharpens β."""
+    mark = at(beta, key)[key]
+    _, sign, swings, top, over = mark.group
+    slope = slope_at(mark.rod, mark.piece, mark.place, sign, swings, Change(0, 1, 0))
+    mark = at(beta - mark.height / slope, key).get(key, mark)
+    rod, found = mark.rod, rod_of(mark._replace(group=mark.group[:-1]))
+    loads = ldexp(rod.beta, 2 * rod.scale), ldexp(rod.eta, 2 * rod.scale)
+    kind = "isolated" if top == over else "exchange"
+    return Exchange(*loads, found.tip_angle, found.clamp_curvature, found.y, found.z, found.index, kind)

@@ -1,0 +1,237 @@
+"""The kernels of ``landscape`` on arrays.
+
+Emitted by `derive emit` from kernels/landscape.py: do not edit, change that file.
+
+Digest of the inputs: sha256 dca122d097b9b091f348294a626dba3edec1f5918daf8f88675e01b741d724d1
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from derive.emit.kernels.arithmetic import epsilon, pi
+from derive.emit.kernels.array_arithmetic import (
+    any_of,
+    each_abs,
+    each_atan,
+    each_atan2,
+    each_cos,
+    each_sin,
+    each_sqrt,
+    larger,
+    less_quarters,
+    pick,
+)
+
+
+class RestEach(NamedTuple):
+    """A direction without moment: angle = quarters·π/2 + extra.
+
+    stiffness: dθ″/dθ there, positive on a hill. double_cosine, double_sine: of 2(angle − α).
+    """
+
+    quarters: int
+    extra: float
+    angle: float
+    stiffness: float
+    double_cosine: float
+    double_sine: float
+
+
+class LandscapeEach(NamedTuple):
+    """The directions of one turn, from the highest hill to the same hill a turn on: hill, well(, ridge, well), hill.
+
+    level: the ridge is as high as the hill. even: V is symmetric about every hill and well.
+    """
+
+    rests: tuple[RestEach, ...]
+    level: bool
+    even: bool
+
+
+def landscape_each(beta, eta, field_angle):
+    """Hills and wells for a field angle in (−π/2, π/2]."""
+    if eta == 0:
+        return no_field_each(beta)
+    if field_angle == 0:
+        if beta == 0:
+            return parallel_alone_each(eta)
+        return parallel_double_each(beta, eta) if eta > beta else parallel_single_each(beta, eta)
+    if field_angle == pi / 2:
+        return orthogonal_double_each(beta, eta) if eta > beta else orthogonal_single_each(beta, eta)
+    if field_angle < 0:
+        return mirror_landscape_each(oblique_landscape_each(beta, eta, -field_angle))
+    return oblique_landscape_each(beta, eta, field_angle)
+
+
+def oblique_landscape_each(beta, eta, field_angle):
+    """Hills and wells for a field angle in (0, π/2)."""
+    if beta == 0:
+        return oblique_alone_each(eta, field_angle)
+    if has_second_pair_each(beta, eta, field_angle):
+        return oblique_double_each(beta, eta, field_angle)
+    return oblique_single_each(beta, eta, field_angle)
+
+
+def has_second_pair_each(beta, eta, field_angle):
+    """Whether the field is strong enough for a second hill and well."""
+    return ridge_couple_each(beta, eta, field_angle, astroid_cusp_each(field_angle)) > 4 * epsilon() * (beta + eta)
+
+
+def mirror_landscape_each(scene):
+    """The landscape seen from the other side of the y axis."""
+    return scene._replace(rests=tuple(mirror_rest_each(rest) for rest in scene.rests[::-1]))
+
+
+def along_each(beta, quarters, sign):
+    """A direction along or against the force, no field: what it is about the field is not asked."""
+    return RestEach(quarters, 0, quarters * (pi / 2), sign * beta, 1, 0)
+
+
+def mirror_rest_each(rest):
+    """The direction seen from the other side of the y axis, a turn on."""
+    return rest._replace(
+        quarters=4 - rest.quarters, extra=-rest.extra, angle=2 * pi - rest.angle, double_sine=-rest.double_sine
+    )
+
+
+def no_field_each(beta):
+    """The force alone."""
+    return LandscapeEach((along_each(beta, 0, 1), along_each(beta, 2, -1), along_each(beta, 4, 1)), False, True)
+
+
+def parallel_single_each(beta, eta):
+    """The field along a force that is not weaker: one hill, at 0."""
+    top, again = (RestEach(quarters, 0, quarters * (pi / 2), eta + beta, 1, 0) for quarters in (0, 4))
+    return LandscapeEach((top, RestEach(2, 0, pi, eta - beta, 1, 0), again), False, True)
+
+
+def parallel_alone_each(eta):
+    """The field without force: hills along and against it, wells across."""
+    top, side, again = (RestEach(quarters, 0, quarters * (pi / 2), eta, 1, 0) for quarters in (0, 2, 4))
+    first, second = (RestEach(quarters, 0, quarters * (pi / 2), -eta, -1, 0) for quarters in (1, 3))
+    return LandscapeEach((top, first, side, second, again), True, True)
+
+
+def parallel_double_each(beta, eta):
+    """The field along a weaker force: hills at 0 and, lower, at π."""
+    top, again = (RestEach(quarters, 0, quarters * (pi / 2), eta + beta, 1, 0) for quarters in (0, 4))
+    side = RestEach(2, 0, pi, eta - beta, 1, 0)
+    lean = each_atan2(beta, each_sqrt((eta - beta) * (eta + beta)))
+    softness = (eta - beta) * (eta + beta) / eta
+    cosine = 2 * (beta / eta) * (beta / eta) - 1
+    sine = -2 * (beta / eta) * each_sqrt((eta - beta) * (eta + beta)) / eta
+    first = RestEach(1, lean, pi / 2 + lean, -softness, cosine, sine)
+    second = RestEach(3, -lean, 3 * (pi / 2) - lean, -softness, cosine, -sine)
+    return LandscapeEach((top, first, side, second, again), False, True)
+
+
+def orthogonal_single_each(beta, eta):
+    """The field across a force that is not weaker: one hill, at 0."""
+    top, again = (RestEach(quarters, 0, quarters * (pi / 2), beta - eta, -1, 0) for quarters in (0, 4))
+    return LandscapeEach((top, RestEach(2, 0, pi, -beta - eta, -1, 0), again), False, True)
+
+
+def orthogonal_double_each(beta, eta):
+    """The field across a weaker force: two hills of the same height beside 0."""
+    lean = each_atan2(each_sqrt((eta - beta) * (eta + beta)), beta)
+    stiffness = (eta - beta) * (eta + beta) / eta
+    cosine = 1 - 2 * (beta / eta) * (beta / eta)
+    sine = -2 * (beta / eta) * each_sqrt((eta - beta) * (eta + beta)) / eta
+    low = RestEach(0, -lean, -lean, stiffness, cosine, -sine)
+    high, again = RestEach(0, lean, lean, stiffness, cosine, sine), low._replace(quarters=4, angle=2 * pi - lean)
+    top, bottom = RestEach(0, 0, 0, beta - eta, -1, 0), RestEach(2, 0, pi, -beta - eta, -1, 0)
+    return LandscapeEach((low, top, high, bottom, again), True, True)
+
+
+def oblique_alone_each(eta, field_angle):
+    """The field without force, at an angle in (0, π/2)."""
+    return LandscapeEach(tuple(rest_at_each(0 * eta, eta, field_angle, k, field_angle) for k in range(5)), True, True)
+
+
+def oblique_single_each(beta, eta, field_angle):
+    """A field angle in (0, π/2): a hill between force and field, a well a quarter turn on."""
+    back = rising_root_each(
+        lambda y: twist_each(eta, y) - beta * each_sin(field_angle - y), 0 * field_angle, field_angle
+    )
+    on = rising_root_each(
+        lambda w: twist_each(eta, w) - beta * each_cos(field_angle + w), 0 * field_angle, pi / 2 - field_angle
+    )
+    hill = rest_at_each(beta, eta, field_angle, 0, field_angle - back)
+    well = rest_at_each(beta, eta, field_angle, 1, field_angle + on)
+    return LandscapeEach((hill, well, hill._replace(quarters=4, angle=hill.angle + 2 * pi)), False, False)
+
+
+def oblique_double_each(beta, eta, field_angle):
+    """A field angle in (0, π/2), and a second pair: a ridge and a well."""
+    hill, well, again = oblique_single_each(beta, eta, field_angle).rests
+    cusp = astroid_cusp_each(field_angle)
+
+    def couple(x):
+        return ridge_couple_each(beta, eta, field_angle, x)
+
+    ridge = rest_at_each(beta, eta, field_angle, 2, field_angle + rising_root_each(couple, 0 * field_angle, cusp))
+    second = rest_at_each(
+        beta, eta, field_angle, 2, field_angle + rising_root_each(couple, pi / 2 + 0 * field_angle, cusp)
+    )
+    return LandscapeEach((hill, well, ridge, second, again), False, False)
+
+
+def astroid_cusp_each(field_angle):
+    """Where the second pair is born: tan³x = tan α (Stoner and Wohlfarth's astroid).
+
+    The pair lies at α + π + x with sin α/sin x + cos α/cos x = η/β: it is there when η/β is beyond the least value of
+    the left side, taken at this x.
+    """
+    return each_atan((each_sin(field_angle) / larger(each_cos(field_angle), epsilon())) ** (1 / 3))
+
+
+def ridge_couple_each(beta, eta, field_angle, x):
+    """The couple on a rod that points along α + π + x."""
+    return twist_each(eta, x) - beta * each_sin(field_angle + x)
+
+
+def twist_each(eta, x):
+    """The couple of the field on a rod turned by x from it."""
+    return eta * each_sin(x) * each_cos(x)
+
+
+def rest_at_each(beta, eta, field_angle, quarters, extra):
+    """The direction at this angle."""
+    angle = quarters * (pi / 2) + extra
+    double = 2 * (angle - field_angle)
+    return RestEach(
+        quarters, extra, angle, beta * each_cos(angle) + eta * each_cos(double), each_cos(double), each_sin(double)
+    )
+
+
+def rising_root_each(function, low, high):
+    """The root between low, where the function is negative, and high, where it is positive, by Ridders' method."""
+    value_low, value_high = function(low), function(high)
+    last, moving = high, value_high > 0
+    for _ in range(60):
+        middle = (low + high) / 2
+        value = function(middle)
+        size = each_sqrt(larger(value * value - value_low * value_high, 0))
+        exact = (value == 0) | (size == 0)
+        trial = pick(exact, middle, middle + (middle - low) * (-value / pick(exact, 1, size)))
+        value_trial = function(trial)
+        last = pick(moving, trial, last)
+        above = value > 0
+        high, value_high = pick(above, middle, high), pick(above, value, value_high)
+        low, value_low = pick(above, low, middle), pick(above, value_low, value)
+        inside = each_abs(trial - low) < each_abs(high - low), each_abs(high - trial) < each_abs(high - low)
+        rises, falls = (value_trial > 0) & inside[0], (value_trial < 0) & inside[1]
+        high, value_high = pick(rises, trial, high), pick(rises, value_trial, value_high)
+        low, value_low = pick(falls, trial, low), pick(falls, value_trial, value_low)
+        moving = moving & (each_abs(high - low) > 2 * epsilon() * each_abs(trial)) & (value_trial != 0) & (exact == 0)
+        if not any_of(moving):
+            break
+    return last
+
+
+def offset_from_each(rest, angle, turns):
+    """angle − (rest + turns·2π), without cancellation; 0 where no angle within rounding of this tells them apart."""
+    offset = less_quarters(angle, 4 * turns + rest.quarters) - rest.extra
+    blur = epsilon() * (each_abs(angle) + each_abs(rest.extra))
+    return pick((each_abs(offset) <= blur) | (each_abs(offset) < epsilon() ** 9), 0, offset)

@@ -1,0 +1,190 @@
+"""The kernels of ``motion`` on arrays.
+
+Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
+
+Digest of the inputs: sha256 2ce5526a4f30d0043f95ddb7d63ac76dc20c45b0c369c101c21a88a173be114d
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from derive.emit.kernels.arithmetic import pi
+from derive.emit.kernels.array_arithmetic import (
+    each_abs,
+    each_cos,
+    each_exp,
+    each_floor,
+    each_sin,
+    each_sqrt,
+    larger,
+    pick,
+)
+from derive.emit.kernels.pieces_each import PieceEach, fall_each, onward_each, reach_each, slope_each
+
+
+class MotionEach(NamedTuple):
+    """A motion from rest at the tip through the clamp angle to rest at the far turning point, and back.
+
+    With χ from 0 at the tip to π at the far turning point, dσ = dχ/√(end² cos²χ + middle² sin²χ).
+    """
+
+    tip: float  # the tip angle, in the turn of the landscape
+    half_width: float
+    done: float  # clamp − tip
+    left: float  # far turning point − clamp
+    near_moment: float  # θ″ at the tip
+    far_moment: float  # −θ″ at the far turning point
+    near: float  # 2θ″/sin(half_width) at the tip
+    far: float  # the same at the far turning point
+    end: float
+    middle: float
+    sine: float  # sin(half_width)
+    half_cosine: float  # cos(half_width/2)
+    uneven: float  # √far − √near
+    done_sine: float  # sin(done/2)
+    left_sine: float  # sin(left/2)
+
+
+def motion_at_each(beta, eta, field_angle, piece: PieceEach, place):
+    """The motion of the tip at a place of a piece: −∞ is its low end, +∞ its high end."""
+    basin = piece.basin
+    rise, drop = piece.width / (1 + each_exp(-place)), piece.width / (1 + each_exp(place))
+    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
+    upper = from_hill < depth
+    hill, well = basin.hill, basin.well
+    offset = pick(upper, from_hill, -depth)
+    stiffness = pick(upper, hill.stiffness, well.stiffness)
+    double_cosine = pick(upper, hill.double_cosine, well.double_cosine)
+    double_sine = pick(upper, hill.double_sine, well.double_sine)
+    rest = hill._replace(stiffness=stiffness, double_cosine=double_cosine, double_sine=double_sine)
+    tip = pick(upper, hill.angle, well.angle) + offset
+    near_moment = slope_each(eta, rest, offset)
+    done = piece.clamp_gap + drop
+    if basin.even:
+        half_width = depth + (basin.axis.angle - well.angle)
+        left = 2 * half_width - done if piece.high_kind != "turn" else drop
+        far_moment, far_distance = near_moment, from_hill
+    else:
+        half_width, left, far_moment, far_distance = far_side_each(eta, piece, rise, drop, depth, done)
+    # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
+    whole_turn = basin.far.quarters - hill.quarters == 4 and basin.far.extra == hill.extra
+    lack = (from_hill + far_distance) / 2 if whole_turn else pi - half_width
+    sine = each_sin(pick(lack < half_width, lack, half_width))
+    near, far = 2 * near_moment / sine, 2 * far_moment / sine
+    uneven = 0 if basin.even else unevenness_each(eta, field_angle, tip + half_width, sine, near, far)
+    # done/2 + left/2 = half_width: near half a turn one follows from the other.
+    done_sine = each_sin(pick(done > pi, lack + left / 2, done / 2))
+    left_sine = each_sin(pick(left > pi, lack + done / 2, left / 2))
+    end, middle = rates_each(beta, eta, field_angle, piece, tip, half_width, sine, near, far, drop, depth)
+    half_cosine = each_sin(lack / 2)
+    return MotionEach(
+        tip,
+        half_width,
+        done,
+        left,
+        near_moment,
+        far_moment,
+        near,
+        far,
+        end,
+        middle,
+        sine,
+        half_cosine,
+        uneven,
+        done_sine,
+        left_sine,
+    )
+
+
+def unevenness_each(eta, field_angle, middle, sine, near, far):
+    """√far − √near: by the roots, or by far − near = 2η sin 2(middle − α) sin(half_width) where that is less."""
+    by_turns = 2 * eta * each_sin(2 * (middle - field_angle)) * sine / (each_sqrt(near) + each_sqrt(far))
+    return pick(near + far < 2 * eta * sine, each_sqrt(far) - each_sqrt(near), by_turns)
+
+
+def far_side_each(eta, piece, rise, drop, depth, done):
+    """Half the width of the motion, how far it goes on beyond the clamp, and the moment where it turns."""
+    basin = piece.basin
+    hill, well, far, far_well = basin.hill, basin.well, basin.far, basin.far_well
+    down = far.angle - far_well.angle
+    if piece.low_kind == "level":
+        below = fall_each(eta, hill, piece.low_offset, rise)
+    else:
+        below = basin.far_rise + fall_each(eta, hill, 0, rise)
+    if basin.passes:
+        above = -fall_each(eta, far_well, 0, down) - below
+    else:
+        above = -fall_each(eta, well, 0, -depth)
+    by_hill = below < above
+    distance = reach_either_each(eta, far, far_well, by_hill, pick(by_hill, below, above), down)
+    turn = pick(by_hill, down - distance, distance)  # far turning point − far_well
+    clamp_turn = down - piece.far_gap  # clamp − far_well
+    left = pick(by_hill, piece.far_gap - distance, distance - clamp_turn)
+    if basin.passes:
+        half_width = (turn + depth + (far_well.angle - well.angle)) / 2
+    else:
+        half_width = (turn + depth) / 2
+    far_moment = pick(by_hill, slope_each(eta, far, -distance), slope_each(eta, far_well, distance)) * -1
+    if piece.high_kind == "turn":
+        left = beyond_clamp_each(eta, piece, drop, left)
+    return half_width, left, far_moment, pick(by_hill, distance, down - distance)
+
+
+def reach_either_each(eta, hill, well, by_hill, amount, most):
+    """``reach`` down from the hill, or up from the well, whichever is asked for."""
+    rest = hill._replace(
+        stiffness=pick(by_hill, hill.stiffness, well.stiffness),
+        double_cosine=pick(by_hill, hill.double_cosine, well.double_cosine),
+        double_sine=pick(by_hill, hill.double_sine, well.double_sine),
+    )
+    return reach_each(eta, rest, amount, most, pick(by_hill, -1, 1))
+
+
+def beyond_clamp_each(eta, piece, drop, rough):
+    """How far the motion goes beyond the clamp, when the tip is ``drop`` below the one that turns there.
+
+    V falls by the same amount on both sides. The rough value is as good as its difference to the clamp's distance
+    from a hill or a well allows.
+    """
+    basin, rest, start = piece.basin, piece.clamp_rest, piece.clamp_offset
+    high = -piece.high_depth
+    amount = fall_each(eta, basin.well, high - drop, drop)
+    return pick(rough > 0.25 * each_abs(start), rough, onward_each(eta, rest, start, -amount, rough))
+
+
+def rates_each(beta, eta, field_angle, piece, tip, half_width, sine, near, far, drop, depth):
+    """dχ/dσ at the ends and in the middle of the motion."""
+    middle, cosine = tip + half_width, each_cos(half_width)
+    double = 2 * (middle - field_angle)
+    product = each_sqrt(near) * each_sqrt(far)
+    excess = -(2 * beta * each_cos(middle) * cosine + eta * each_cos(double) * (1 + cosine * cosine))
+    mean = -(2 * beta * each_cos(middle) + eta * cosine * each_cos(double))
+    apart = mean - eta
+    close = above_field_each(eta, piece, middle, half_width, field_angle, drop, depth)
+    apart = pick(apart > 0.1 * eta, apart, close)
+    split = sine * each_sqrt(larger(apart * (mean + eta), 0) / pick(excess < 0, product - excess, 1))
+    return each_sqrt(product / 2), pick(excess < 0, split, each_sqrt(product + larger(excess, 0))) / 2
+
+
+def above_field_each(eta, piece, middle, half_width, field_angle, drop, depth):
+    """``mean`` less η where they are near each other: 2(V(tip) − V)/(cos(θ − middle) − cos(half_width)) at the θ at
+    which it is least, which lies then near the ridge or the well."""
+    basin = piece.basin
+    well, axis = basin.well, basin.axis
+    if basin.passes:
+        high = -piece.high_depth
+        height = fall_each(eta, well, high - drop, drop + piece.level_gap)
+    else:
+        height = fall_each(eta, well, -depth, depth)
+    shift = wrapped_each(2 * (field_angle - middle))
+    offset = wrapped_each(middle + shift - axis.angle)
+    outer, inner = each_sin(half_width / 2), each_sin(shift / 2)
+    return (height + fall_each(eta, axis, 0, offset)) / pick(
+        outer * outer == inner * inner, 1, outer * outer - inner * inner
+    )
+
+
+def wrapped_each(angle):
+    """The angle less whole turns, between −π and π."""
+    return angle - 2 * pi * each_floor(angle / (2 * pi) + 0.5)

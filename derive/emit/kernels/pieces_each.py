@@ -1,0 +1,314 @@
+"""The kernels of ``pieces`` on arrays.
+
+Emitted by `derive emit` from kernels/pieces.py: do not edit, change that file.
+
+Digest of the inputs: sha256 f865e420d047c01498fae304dd32dd1733bc64509598e739fb8e9ede2fcb491d
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from derive.emit.kernels.arithmetic import epsilon, pi
+from derive.emit.kernels.array_arithmetic import (
+    any_of,
+    each_abs,
+    each_asin,
+    each_cos,
+    each_floor,
+    each_sin,
+    each_sqrt,
+    larger,
+    pick,
+    spacing,
+)
+from derive.emit.kernels.landscape_each import LandscapeEach, RestEach, offset_from_each
+from derive.emit.kernels.potential_each import fall_from_rest_each, moment_from_rest_each
+
+
+class BasinEach(NamedTuple):
+    """What stops the rod and what it swings about: the hill that tips come from and the well below them, the hill
+    that stops the motion and the last well before it, and the direction where it is slowest between its ends: the
+    ridge that it passes, or the well.
+
+    far_rise: V(far) − V(hill). even: the motion is symmetric about its middle.
+    """
+
+    hill: RestEach
+    well: RestEach
+    far: RestEach
+    far_well: RestEach
+    axis: RestEach
+    far_rise: float
+    passes: bool
+    even: bool
+
+
+class PieceEach(NamedTuple):
+    """Tip angles from low to low + width in a basin; angles as differences, told without loss.
+
+    low_kind: 'hill', or 'level', where V is that of the ridge. high_kind: 'clamp', the clamp angle itself; 'turn', the
+    angle from which the rod turns back at the clamp angle; 'level'.
+    """
+
+    basin: BasinEach
+    low_kind: str
+    high_kind: str
+    low_offset: float  # low − hill
+    width: float
+    high_depth: float  # well − high
+    clamp_gap: float  # clamp − high
+    level_gap: float  # the angle at the level of the ridge − high, of a motion that passes it
+    clamp_rest: RestEach  # the direction next to the clamp
+    clamp_offset: float  # clamp − that direction
+    far_gap: float  # far − clamp
+
+
+class ClampEach(NamedTuple):
+    """The clamp angle in a landscape: whole turns, and its offset from each direction without moment."""
+
+    turns: int
+    offsets: tuple[float, ...]
+
+
+def clamp_in_each(rests, angle):
+    """Whole turns such that the clamp lies from the first hill up to, but not at, its like a turn on."""
+    turns = each_floor((angle - rests[0].angle) / (2 * pi))
+    for _ in range(3):
+        offsets = tuple(offset_from_each(rest, angle, turns) for rest in rests)
+        shift = pick(offsets[0] < 0, -1, pick(offsets[-1] >= 0, 1, 0))
+        if not any_of(shift != 0):
+            break
+        turns = turns + shift
+    return ClampEach(turns, offsets)
+
+
+def fall_each(eta, rest, start, change):
+    """V(start) − V(start + change), from a start measured from a direction without moment."""
+    half = change / 2
+    return fall_from_rest_each(eta, rest.stiffness, rest.double_cosine, rest.double_sine, start + half, half)
+
+
+def slope_each(eta, rest, offset):
+    """θ″ at an offset from a direction without moment."""
+    return moment_from_rest_each(eta, rest.stiffness, rest.double_cosine, rest.double_sine, offset)
+
+
+def reach_each(eta, rest, amount, most, side):
+    """The distance from a hill (or a well) at which V is lower (or higher) by ``amount``, to one side.
+
+    most: the distance of the next well (or hill). Newton's method for the square root of the difference, which is
+    nearly linear, from the pendulum's value.
+    """
+    share = amount / each_abs(fall_each(eta, rest, 0, side * most))
+    near = most * each_asin(each_sqrt(pick(share < 1, share, 1))) * (2 / pi)
+    goal, moving = each_sqrt(amount), True
+    for _ in range(40):
+        here = each_sqrt(each_abs(fall_each(eta, rest, 0, side * near)))
+        force = larger(each_abs(slope_each(eta, rest, side * near)), epsilon() ** 20)
+        trial = near - 2 * here * (here - goal) / force
+        trial = pick(trial > most, (near + most) / 2, pick(trial < 0, near / 2, trial))
+        moving, near = each_abs(trial - near) > 4 * spacing(trial) * near, trial
+        if not any_of(moving):
+            break
+    return near
+
+
+def onward_each(eta, rest, start, amount, rough):
+    """How far beyond ``start``, an offset from a direction without moment, V has fallen by ``amount``.
+
+    The rough value is good to rounding of the angles; where little of it is left, the slope of V at the start gives a
+    better one. Newton's method does the rest.
+    """
+    distance = pick(each_abs(rough) > 0.001 * each_abs(start), rough, amount / slope_each(eta, rest, start))
+    for _ in range(40):
+        force = slope_each(eta, rest, start + distance)
+        step = (fall_each(eta, rest, start, distance) - amount) / pick(force == 0, 1, force)
+        distance = pick(each_abs(distance - step) > pi, rough, distance - step)
+        if not any_of(each_abs(step) > 4 * spacing(distance) * each_abs(distance)):
+            break
+    return distance
+
+
+def ridge_fall_each(beta, eta, field_angle, hill, ridge):
+    """V(hill) − V(ridge): the sine of half their distance times the slope of V between, as if it were a circle."""
+    half, middle = (ridge.extra - hill.extra) / 2, pi / 2 + (hill.extra + ridge.extra) / 2
+    return each_cos(half) * (2 * beta * each_sin(middle) - eta * each_sin(half) * each_sin(2 * (middle - field_angle)))
+
+
+class GroundEach(NamedTuple):
+    """What the ranges of a rod are told by: its landscape and the clamp's offsets from the directions there.
+
+    drop: V(hill) − V(ridge); level: from the hill to the level of the ridge; height: V(ridge) − V(clamp). They are 0
+    where no ridge is lower than the hill.
+    """
+
+    scene: LandscapeEach
+    at: tuple[float, ...]
+    drop: float
+    level: float
+    height: float
+
+
+def ground_of_each(beta, eta, field_angle, scene, clamp):
+    """The ground of a rod."""
+    rests, at = scene.rests, clamp.offsets
+    if len(rests) == 3:
+        return level_ground_each(scene, at)
+    drop = 0 if scene.level else ridge_fall_each(beta, eta, field_angle, rests[0], rests[2])
+    # A ridge lower by less than this would be passed only from within its square root of the hill.
+    if drop <= epsilon() ** 17 * (beta + eta):
+        return level_ground_each(scene._replace(level=True, even=True), at)
+    return ridge_ground_each(eta, scene, at, drop)
+
+
+def level_ground_each(scene, at):
+    """The ground without a ridge lower than the hill."""
+    return GroundEach(scene, at, 0, 0, 0)
+
+
+def ridge_ground_each(eta, scene, at, drop):
+    """The ground with a lower ridge."""
+    rests = scene.rests
+    level = reach_each(eta, rests[0], drop, rests[1].angle - rests[0].angle, 1)
+    return GroundEach(scene, at, drop, level, fall_each(eta, rests[2], 0, at[2]))
+
+
+def pieces_each(beta, eta, field_angle, scene, clamp):
+    """All ranges of tip angles below the clamp angle."""
+    ground = ground_of_each(beta, eta, field_angle, scene, clamp)
+    return [build(eta, ground) for here, build in ranges_each(ground) if here]
+
+
+def ranges_each(ground):
+    """Every range that a landscape of this kind can have: whether the rod has it, and its builder. From low to high."""
+    at = ground.at
+    if len(at) == 3:
+        return in_basin_each(at, 0, at[0] > 0, (first_clamp_each, first_turn_each))
+    if ground.scene.level:
+        first = in_basin_each(at, 0, (at[0] > 0) & (at[2] < 0), (first_clamp_each, first_turn_each))
+        return first + in_basin_each(at, 2, at[2] > 0, (last_clamp_each, last_turn_each))
+    before, above = at[2] <= 0, at[0] <= ground.level
+    last = (at[2] > 0) & (ground.height > 0)
+    return [
+        (before & above & (at[0] > 0), pass_clamp_each),
+        (before & (at[0] > ground.level) | last, pass_level_each),
+        ((at[2] > 0) & (ground.height <= 0), pass_turn_each),
+        *in_basin_each(at, 0, (at[0] > ground.level) & (at[2] < 0), (level_clamp_each, level_turn_each)),
+        *in_basin_each(at, 2, last, (last_clamp_each, last_turn_each)),
+    ]
+
+
+def in_basin_each(at, first, inside, builders):
+    """The range of a clamp inside a basin: one before the well and at it, another beyond."""
+    return [(inside & (at[first + 1] <= 0), builders[0]), (inside & (at[first + 1] > 0), builders[1])]
+
+
+def basin_of_each(ground, first):
+    """The basin between two neighbouring hills."""
+    scene = ground.scene
+    hill, well, far = scene.rests[first : first + 3]
+    even = scene.even and (scene.level or len(scene.rests) == 3)
+    return BasinEach(hill, well, far, well, well, ground.drop if first else 0, False, even)
+
+
+def over_ridge_each(ground):
+    """What stops a motion that passes the ridge."""
+    hill, well, ridge, second, far = ground.scene.rests
+    return BasinEach(hill, well, far, second, ridge, 0, True, ground.scene.even)
+
+
+def first_clamp_each(eta, ground):
+    """From the first hill to the clamp."""
+    return from_hill_to_clamp_each(basin_of_each(ground, 0), ground.at[:3])
+
+
+def first_turn_each(eta, ground):
+    """From the first hill to where the rod turns back at the clamp."""
+    return from_hill_to_turn_each(eta, basin_of_each(ground, 0), ground.at[:3])
+
+
+def last_clamp_each(eta, ground):
+    """From the second hill to the clamp."""
+    return from_hill_to_clamp_each(basin_of_each(ground, 2), ground.at[2:])
+
+
+def last_turn_each(eta, ground):
+    """From the second hill to where the rod turns back at the clamp."""
+    return from_hill_to_turn_each(eta, basin_of_each(ground, 2), ground.at[2:])
+
+
+def from_hill_to_clamp_each(basin, at):
+    """From a hill to a clamp before the well."""
+    return piece_of_each(basin, "hill", "clamp", 0, at[0], -at[1], 0, 0, at)
+
+
+def from_hill_to_turn_each(eta, basin, at):
+    """From a hill to where the rod turns back at a clamp beyond the well."""
+    down, depth = basin.well.angle - basin.hill.angle, at[1]
+    width = -at[2]
+    if not basin.even:
+        above = -fall_each(eta, basin.well, 0, at[1])
+        below = fall_each(eta, basin.far, 0, at[2]) - basin.far_rise
+        from_top = reach_each(eta, basin.hill, larger(below, 0), down, 1)
+        from_well = reach_each(eta, basin.well, above, down, -1)
+        depth = pick(below < above, down - from_top, from_well)
+        width = pick(below < above, from_top, down - from_well)
+    return piece_of_each(basin, "hill", "turn", 0, width, depth, depth + at[1], 0, at)
+
+
+def level_clamp_each(eta, ground):
+    """From the level of the ridge to the clamp."""
+    level, at = ground.level, ground.at
+    return piece_of_each(basin_of_each(ground, 0), "level", "clamp", level, at[0] - level, -at[1], 0, 0, at)
+
+
+def level_turn_each(eta, ground):
+    """From the level of the ridge to where the rod turns back at the clamp, before the ridge."""
+    basin, level, at = basin_of_each(ground, 0), ground.level, ground.at
+    down = basin.well.angle - basin.hill.angle
+    above, below = -fall_each(eta, basin.well, 0, at[1]), fall_each(eta, basin.far, 0, at[2])
+    from_well = reach_each(eta, basin.well, above, down, -1)
+    width = onward_each(eta, basin.hill, level, below, down - level - from_well)
+    return piece_of_each(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
+
+
+def pass_clamp_each(eta, ground):
+    """From the highest hill to a clamp above the level of the ridge."""
+    at = ground.at
+    return piece_of_each(over_ridge_each(ground), "hill", "clamp", 0, at[0], -at[1], 0, ground.level - at[0], at)
+
+
+def pass_level_each(eta, ground):
+    """From the highest hill to the level of the ridge."""
+    over, level, at = over_ridge_each(ground), ground.level, ground.at
+    return piece_of_each(
+        over, "hill", "level", 0, level, over.well.angle - over.hill.angle - level, at[0] - level, 0, at
+    )
+
+
+def pass_turn_each(eta, ground):
+    """From the highest hill to where the rod turns back at a clamp above the level of the ridge, beyond it."""
+    over, level, at = over_ridge_each(ground), ground.level, ground.at
+    down = over.well.angle - over.hill.angle
+    width = -at[4] if over.even else reach_each(eta, over.hill, fall_each(eta, over.far, 0, at[4]), down, 1)
+    gap = -onward_each(eta, over.hill, level, ground.height, width - level)
+    return piece_of_each(over, "hill", "turn", 0, width, down - width, at[0] - width, gap, at)
+
+
+def piece_of_each(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, at):
+    """The record of a range."""
+    rests = (basin.hill, basin.well, basin.axis, basin.far_well, basin.far) if basin.passes else basin[:3]
+    rest, offset = rests[0], at[0]
+    for other, distance in zip(rests[1:], at[1:], strict=False):
+        closer = each_abs(distance) < each_abs(offset)
+        rest, offset = pick_rest_each(closer, other, rest), pick(closer, distance, offset)
+    last = at[len(rests) - 1]
+    return PieceEach(
+        basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last
+    )
+
+
+def pick_rest_each(condition, yes, no):
+    """One or the other direction, number by number."""
+    return RestEach(*(pick(condition, *pair) for pair in zip(yes, no, strict=True)))

@@ -1,0 +1,40 @@
+"""Polynomials of lower degree that differ from given ones by less than rounding, by Chebyshev polynomials."""
+
+from __future__ import annotations
+
+import numpy as np
+
+
+def shortened(coefficients, allowed):
+    """Polynomials, a column each, of least degree that differ from the given ones by no more than allowed in [−1, 1].
+
+    Chebyshev polynomials are at most 1 there, so those of high degree go as long as their coefficients sum to less.
+    """
+    of_powers, of_chebyshev = chebyshev(len(coefficients))
+    parts = of_powers.T @ coefficients
+    tails = np.cumsum(abs(parts[::-1]), axis=0).max(axis=1)
+    kept = max(2, len(parts) - int(np.searchsorted(tails, allowed, side="right")))
+    return of_chebyshev[:kept, :kept].T @ parts[:kept]
+
+
+def cut(coefficients, degree):
+    """Polynomials, a column each, of a degree, near the given ones in [−1, 1]; by how much at most they and their
+    slopes differ: T_n is at most 1 there, and its slope at most n²."""
+    of_powers, of_chebyshev = chebyshev(len(coefficients))
+    parts, kept = of_powers.T @ coefficients, degree + 1
+    rest, orders = abs(parts[kept:]), np.arange(kept, len(parts))
+    return of_chebyshev[:kept, :kept].T @ parts[:kept], np.max(rest.sum(axis=0)), np.max((orders * orders) @ rest)
+
+
+def chebyshev(size):
+    """Powers by Chebyshev polynomials and these by powers, a row for each (DLMF 18.9.1)."""
+    of_powers, of_chebyshev = np.eye(size), np.eye(size)
+    for n in range(1, size - 1):
+        # xT_k = (T_{k+1} + T_{k−1})/2, and xT_0 = T_1.
+        of_powers[n + 1] = 0
+        of_powers[n + 1, 1:] = of_powers[n, :-1] / 2
+        of_powers[n + 1, 1] += of_powers[n, 0] / 2
+        of_powers[n + 1, :-1] += of_powers[n, 1:] / 2
+        of_chebyshev[n + 1] = -of_chebyshev[n - 1]
+        of_chebyshev[n + 1, 1:] += 2 * of_chebyshev[n, :-1]
+    return of_powers, of_chebyshev

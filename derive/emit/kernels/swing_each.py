@@ -1,0 +1,113 @@
+"""The kernels of ``swing`` on arrays.
+
+Emitted by `derive emit` from kernels/swing.py: do not edit, change that file.
+
+Digest of the inputs: sha256 b94197344dff951c7aabf06638dc7f7c0d685abcfd1a36c668934d5dbd92f11f
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from derive.emit.kernels.arithmetic import epsilon, pi
+from derive.emit.kernels.array_arithmetic import any_of, each_abs, each_atan2, each_hypot, each_sin, each_sqrt, pick
+from derive.emit.kernels.formulas_each import (
+    back_below_each,
+    back_below_rest_each,
+    back_rest_each,
+    back_square_each,
+    chi_square_each,
+    gauss_rest_each,
+    gauss_square_each,
+    half_rest_beyond_each,
+    half_rest_each,
+    half_square_beyond_each,
+    half_square_each,
+    phase_lead_each,
+    phase_rate_each,
+    phase_sum_each,
+    second_kind_step_each,
+)
+
+
+class PhaseEach(NamedTuple):
+    """Where on its half-swing the motion meets the clamp.
+
+    The length from the tip is ∫dψ/√(a² cos²ψ + b² sin²ψ) from 0 to ψ, with a and b half of ``end`` and ``middle``; the
+    half-swing ends at ψ = π/2. whole, delta: what the speed there follows from.
+    """
+
+    square: float  # sin²ψ
+    rest: float  # cos²ψ
+    whole: float
+    delta: float
+
+
+def phase_of_each(motion):
+    """The phase of the clamp: χ by the half-angle sines, and ψ by χ."""
+    near, far, end = each_sqrt(motion.near), each_sqrt(motion.far), motion.end
+    done, left = motion.done_sine, motion.left_sine
+    whole = phase_sum_each(near, far, done, left)
+    gap = each_sin((motion.left - motion.done) / 4)
+    cosine = phase_lead_each(near, motion.half_cosine, motion.uneven, done, gap) / whole
+    square, size, first = chi_square_each(far * done / whole, near * left / whole), each_abs(cosine), cosine >= 0
+    delta = each_hypot(end * cosine, motion.middle * each_sqrt(square))
+    half = pick(first, half_square_each(end, square, size, delta), half_square_beyond_each(end, size, delta))
+    rest = pick(first, half_rest_each(end, size, delta), half_rest_beyond_each(end, motion.middle, square, size, delta))
+    return PhaseEach(half, rest, whole, delta)
+
+
+def times_each(motion):
+    """Half-swing, and the length from the tip to the clamp."""
+    phase = phase_of_each(motion)
+    return lengths_each(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
+
+
+def lengths_each(a, b, square, rest):
+    """The complete and the incomplete integral of 1/√(a² cos²ψ + b² sin²ψ), by sin²ψ and cos²ψ.
+
+    Gauss's transformation makes a and b equal (DLMF 19.8(i), 19.8(iii)); it is written in sums of positive terms only.
+    """
+    limit, more = 2 * epsilon() ** 0.5, True
+    while more:
+        more = any_of(each_abs(a - b) > limit * a)
+        delta = phase_rate_each(a, b, square, rest)
+        total, below = a + b, a + delta
+        square, rest = gauss_square_each(square, total, below), gauss_rest_each(a, b, square, rest, delta, below)
+        a, b = total / 2, each_sqrt(a * b)
+    mean = (a + b) / 2
+    return pi / (2 * mean), each_atan2(each_sqrt(square), each_sqrt(rest)) / mean
+
+
+def second_kind_each(a, b, square, rest, arrival):
+    """(b² − a²)∫sin²ψ over the same range as ``arrival``, the length, by the same transformation (DLMF 19.8.19)."""
+    limit, more, weight, growth = 2 * epsilon() ** 0.5, True, 1, 0
+    while more:
+        more = any_of(each_abs(a - b) > limit * a)
+        delta = phase_rate_each(a, b, square, rest)
+        growth = growth - weight * second_kind_step_each(a, b, square, rest, delta, arrival)
+        total, below = a + b, a + delta
+        square, rest = gauss_square_each(square, total, below), gauss_rest_each(a, b, square, rest, delta, below)
+        a, b, weight = total / 2, each_sqrt(a * b), 2 * weight
+    return growth
+
+
+def phase_at_each(a, b, length):
+    """sin²ψ and cos²ψ at a length from the tip within the half-swing: the transformation undone."""
+    limit = 2 * epsilon() ** 0.5
+    steps = [(a, b)]
+    while any_of(each_abs(a - b) > limit * a):
+        a, b = (a + b) / 2, each_sqrt(a * b)
+        steps.append((a, b))
+    a, b = (a + b) / 2, each_sqrt(a * b)
+    mean = (a + b) / 2
+    quarter = pi / (2 * mean)
+    first = 2 * length <= quarter
+    small = each_sin(mean * pick(first, length, quarter - length))
+    small = small * small
+    square, rest = pick(first, small, 1 - small), pick(first, 1 - small, small)
+    for a, b in reversed(steps):
+        gap = a - b
+        below = pick(gap > 0, back_below_each(a, b, square), back_below_rest_each(a, b, rest))
+        square, rest = back_square_each(a, square, below), back_rest_each(a, b, gap, rest, below)
+    return square, rest
