@@ -59,8 +59,8 @@ def test_steps_are_earlier_claims_and_named_once(claims):
 
 def test_every_formula_goes_back_to_the_energy(theory, claims):
     far = explain.distances(claims)
-    starts = {formula.claim for formula in theory.formulas}
-    assert len(starts) == len(theory.formulas) > 100
+    starts = {formula.claim for formula in (*theory.formulas, *theory.steps)}
+    assert len(starts) == len(theory.formulas) + len(theory.steps) > 100
     assert not [one for one in starts if far[one] is None]
     # Not by the shortest way only: the magnetization itself is in every chain.
     assert not [one for one in starts if "particle.response" not in explain.ordered([one], claims)]
@@ -113,8 +113,10 @@ def test_names_rest_on_the_claims_that_stand_for_them(claims):
 def test_sources_are_equations_of_the_article_or_of_dlmf(theory, claims):
     named = "campi|eqazm|suscet|magnetiz|demten|magnha"
     label = re.compile(rf"((exsl(rm)?|exhpf|slch|kth|kthr|elmr)\d+[a-z]*|{named}|DLMF [\d.()iv]+)?")
-    assert not [one.source for one in (*claims.values(), *theory.formulas) if not label.fullmatch(one.source)]
-    found = {(f.case, f.name): f.source for f in theory.formulas}
+    assert not [
+        one.source for one in (*claims.values(), *theory.formulas, *theory.steps) if not label.fullmatch(one.source)
+    ]
+    found = {(f.case, f.name): f.source for f in (*theory.formulas, *theory.steps)}
     for name, expected in {
         "tip_gamma": ("exsl23", "exhpf12", "slch3", "slch6"),
         "pole_strength": ("exsl17",) * 4,
