@@ -18,7 +18,7 @@ def random_rods(scene: str, seed: int, count: int = RODS) -> list[np.ndarray]:
     """Rods of one scene: β, η, length, clamp angle, field angle; a quarter of the clamps are along special angles."""
     rng = np.random.default_rng(seed)
     beta, eta = rng.random(count), 2 * rng.random(count)
-    oblique = rng.uniform(-pi / 2, pi / 2, count)
+    oblique = rng.choice([0.3, 1.2, -0.6], count)
     field = {"parallel": 0 * beta, "orthogonal": 0 * beta + pi / 2}.get(scene, oblique)
     if scene == "force":
         eta, field = 0 * eta, 0 * field
@@ -69,6 +69,14 @@ def test_blocks_do_not_change_the_result(monkeypatch: pytest.MonkeyPatch) -> Non
     parts = sweep_arrays(*rods, None)
     assert np.array_equal(whole.case, parts.case)
     assert np.allclose(whole.tip_angle, parts.tip_angle, rtol=1e-12, atol=1e-12)
+
+
+def test_every_rod_with_its_own_field_angle() -> None:
+    rods = random_rods("oblique", 10, 6)
+    rods[4] = np.linspace(-1, 1, 6)
+    table = sweep_arrays(*rods, None)
+    for case in range(6):
+        assert_alike(table_rows(table, case), scalar_rows(rods, case), rods[2][case])
 
 
 def test_rods_on_which_nothing_acts_and_very_long_ones() -> None:
