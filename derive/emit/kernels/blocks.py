@@ -34,7 +34,7 @@ from derive.emit.kernels.block_records import rows
 from derive.emit.kernels.block_search import tips
 from derive.emit.kernels.equilibria import all_equilibria
 
-BLOCK = 4096  # rods at once
+BLOCK = 8192  # rods at once
 FEWEST = 8  # rods of one field angle that are faster on arrays than one by one
 SLOWEST = 250.0  # ℓ√(β + η) from which offsets would be too small for their squares
 
