@@ -97,3 +97,33 @@ def test_few_rods_are_left_to_the_scalar_solver(monkeypatch: pytest.MonkeyPatch)
 
 def test_no_rods() -> None:
     assert sweep_arrays(*(np.zeros(0) for _ in range(5)), None).case.size == 0
+
+
+def tips_by_integration(beta: float, eta: float, length: float, clamp: float, field: float) -> np.ndarray:
+    """Tip angles between which the angle at the clamp passes the clamp angle, by Runge and Kutta's method."""
+    tips = np.linspace(clamp - 2 * pi, clamp + 2 * pi, 6001)
+    angle, speed, step = tips.copy(), 0 * tips, length / 400
+
+    def moment(theta: np.ndarray) -> np.ndarray:
+        return beta * np.sin(theta) + eta / 2 * np.sin(2 * (theta - field))
+
+    for _ in range(400):
+        first = moment(angle)
+        second = moment(angle + step / 2 * speed)
+        third = moment(angle + step / 2 * speed + step * step / 4 * first)
+        fourth = moment(angle + step * speed + step * step / 2 * second)
+        angle = angle + step * speed + step * step / 6 * (first + second + third)
+        speed = speed + step / 6 * (first + 2 * second + 2 * third + fourth)
+    passes = np.flatnonzero((angle[1:] > clamp) != (angle[:-1] > clamp))
+    return (tips[passes] + tips[passes + 1]) / 2
+
+
+def test_a_pair_of_tips_far_from_the_ends_of_a_range_is_found() -> None:
+    rod = (0.7106467590526012, 1.366048108718744, 9.836250215206718, -2.7568992529771696, -0.9)
+    # As many as are not left to the scalar solver.
+    table = sweep_arrays(*(np.full(blocks.FEWEST, part) for part in rod), None)
+    integrated = tips_by_integration(*rod)
+    for case in range(blocks.FEWEST):
+        found = table.tip_angle[table.case == case]
+        assert found.shape == integrated.shape
+        assert np.allclose(found, integrated, atol=4 * pi / 6000)

@@ -76,17 +76,17 @@ def block(given, max_index):
         field = principal_each(field_angle)
         rods = Rods(arange(beta.size), *loads, own, clamp_angle, field, slow)
         good = (slow < SLOWEST) & (slow > 0) & in_groups(field)
-        fit, left = flatnonzero(good), [flatnonzero(~good)]
+        fit, left = flatnonzero(good), flatnonzero(~good)
         mirrored = rods._replace(
             clamp_angle=-clamp_angle, field_angle=where((field == 0) | (field == pi / 2), field, -field)
         )
         parts = [one_side(rows(rods, fit), 1, scale, most)]
         parts.append(one_side(rows(mirrored, fit), -1, scale, most))
-    left = unique(concatenate(left + [doubtful for _, doubtful in parts]))
+    lost = unique(concatenate([left] + [doubtful for _, doubtful in parts]))
     table = Table(*(concatenate(column) for column in zip(*(found for found, _ in parts), strict=True)))
-    if left.size:
-        table = rows(table, ~isin(table.case, left))
-        scalar = [one_by_one([part[case] for part in given], case, max_index) for case in left.tolist()]
+    if lost.size:
+        table = rows(table, ~isin(table.case, lost))
+        scalar = [one_by_one([part[case] for part in given], case, max_index) for case in lost.tolist()]
         table = Table(*(concatenate(column) for column in zip(table, *scalar, strict=True)))
     return rows(table, lexsort((table.tip_angle, table.case)))
 
