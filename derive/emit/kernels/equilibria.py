@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from derive.emit.kernels.arcs import Arc, arc_to, clamp_point, far_point
 from derive.emit.kernels.arithmetic import (
@@ -82,7 +82,15 @@ def all_equilibria(beta, eta, length, clamp_angle, field_angle, max_index):
     field = principal(field_angle)
     rod = Rod(ldexp(beta, -2 * scale), ldexp(eta, -2 * scale), ldexp(length, scale), clamp_angle, field, 1, scale)
     mirrored = Rod(rod.beta, rod.eta, rod.length, -clamp_angle, reflected(field), -1, scale)
-    return [*below(rod, most), *straight(rod, most), *below(mirrored, most)[::-1]]
+    return in_order([*below(rod, most), *straight(rod, most), *below(mirrored, most)[::-1]])
+
+
+def in_order(found):
+    """The list with tips that are nearer than rounding given as equal, where rounding would exchange them."""
+    for k in range(1, len(found)):
+        if found[k].tip_angle < found[k - 1].tip_angle:
+            found[k] = replace(found[k], tip_angle=found[k - 1].tip_angle)
+    return found
 
 
 def principal(field_angle):
