@@ -21,5 +21,12 @@ def rows(record, which):
 
 
 def rounded_to(record, kind):
-    """The record with its numbers in another precision."""
-    return each_array(record, lambda array: array.astype(kind))
+    """The record with its numbers in another precision, those that all rods share as well."""
+    if isinstance(record, ndarray):
+        return record.astype(kind)
+    if isinstance(record, float):
+        return kind(record)
+    if isinstance(record, tuple):
+        parts = [rounded_to(part, kind) for part in record]
+        return type(record)(*parts) if hasattr(record, "_fields") else tuple(parts)
+    return record

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 2ce5526a4f30d0043f95ddb7d63ac76dc20c45b0c369c101c21a88a173be114d
+Digest of the inputs: sha256 6bd0cf1417ea79c9603fc24de108f4d0aa1ab2e8c887b6181852db211065585d
 """
 
 from __future__ import annotations
@@ -12,6 +12,8 @@ from typing import NamedTuple
 from derive.emit.kernels.arithmetic import pi
 from derive.emit.kernels.array_arithmetic import (
     each_abs,
+    each_asin,
+    each_atan2,
     each_cos,
     each_exp,
     each_floor,
@@ -19,8 +21,10 @@ from derive.emit.kernels.array_arithmetic import (
     each_sqrt,
     larger,
     pick,
+    spacing,
 )
 from derive.emit.kernels.pieces_each import PieceEach, fall_each, onward_each, reach_each, slope_each
+from derive.emit.kernels.potential_each import fall_from_rest_each, moment_from_rest_each
 
 
 class MotionEach(NamedTuple):
@@ -57,14 +61,18 @@ def motion_at_each(beta, eta, field_angle, piece: PieceEach, place):
     stiffness = pick(upper, hill.stiffness, well.stiffness)
     double_cosine = pick(upper, hill.double_cosine, well.double_cosine)
     double_sine = pick(upper, hill.double_sine, well.double_sine)
-    rest = hill._replace(stiffness=stiffness, double_cosine=double_cosine, double_sine=double_sine)
     tip = pick(upper, hill.angle, well.angle) + offset
-    near_moment = slope_each(eta, rest, offset)
+    near_moment = moment_from_rest_each(eta, stiffness, double_cosine, double_sine, offset)
+    # How far V falls from the tip to the well, or to the level of a ridge that the motion passes.
+    change = (drop + piece.level_gap if basin.passes else depth) / 2
+    height = fall_from_rest_each(eta, stiffness, double_cosine, double_sine, offset + change, change)
     done = piece.clamp_gap + drop
     if basin.even:
         half_width = depth + (basin.axis.angle - well.angle)
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
         far_moment, far_distance = near_moment, from_hill
+    elif field_angle == 0 and not basin.passes:
+        half_width, left, far_moment, far_distance = parallel_side_each(beta, eta, piece, rise, drop, from_hill, depth)
     else:
         half_width, left, far_moment, far_distance = far_side_each(eta, piece, rise, drop, depth, done)
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
@@ -76,7 +84,7 @@ def motion_at_each(beta, eta, field_angle, piece: PieceEach, place):
     # done/2 + left/2 = half_width: near half a turn one follows from the other.
     done_sine = each_sin(pick(done > pi, lack + left / 2, done / 2))
     left_sine = each_sin(pick(left > pi, lack + done / 2, left / 2))
-    end, middle = rates_each(beta, eta, field_angle, piece, tip, half_width, sine, near, far, drop, depth)
+    end, middle = rates_each(beta, eta, field_angle, basin, tip, half_width, sine, near, far, height)
     half_cosine = each_sin(lack / 2)
     return MotionEach(
         tip,
@@ -101,6 +109,36 @@ def unevenness_each(eta, field_angle, middle, sine, near, far):
     """√far − √near: by the roots, or by far − near = 2η sin 2(middle − α) sin(half_width) where that is less."""
     by_turns = 2 * eta * each_sin(2 * (middle - field_angle)) * sine / (each_sqrt(near) + each_sqrt(far))
     return pick(near + far < 2 * eta * sine, each_sqrt(far) - each_sqrt(near), by_turns)
+
+
+def parallel_side_each(beta, eta, piece, rise, drop, from_hill, depth):
+    """``far_side`` within a well for a field along the force: the cosines of the turning points add up to −2β/η."""
+    basin = piece.basin
+    if piece.low_kind == "level":
+        low, high = (
+            each_sin(rise / 2) * each_sin(piece.low_offset + rise / 2),
+            beta / eta + each_cos(from_hill / 2) ** 2,
+        )
+    else:
+        low = each_sin(rise / 2) ** 2
+        low, high = beta / eta + low, (eta - beta) / eta - low
+    # sin² and cos² of half the distance from the far turning point to the far hill.
+    low, high = each_sqrt(larger(low, 0)), each_sqrt(larger(high, 0))
+    distance = 2 * each_atan2(low, high)
+    down = basin.far.angle - basin.far_well.angle
+    dip = each_sin(from_hill + depth / 2) * each_sin(depth / 2)
+    up = 2 * each_asin(within_each(dip / each_sin((down + distance) / 2)))
+    if piece.high_kind == "turn":
+        share = each_sin(from_hill + drop / 2) * each_sin(drop / 2) / each_sin((piece.far_gap + distance) / 2)
+        left = 2 * each_asin(within_each(share))
+    else:
+        left = up + piece.high_depth
+    return (up + depth) / 2, left, 4 * eta * dip * low * high, distance
+
+
+def within_each(sine):
+    """A sine that rounding may have brought beyond 1."""
+    return pick(sine < 1, sine, 1)
 
 
 def far_side_each(eta, piece, rise, drop, depth, done):
@@ -153,7 +191,7 @@ def beyond_clamp_each(eta, piece, drop, rough):
     return pick(rough > 0.25 * each_abs(start), rough, onward_each(eta, rest, start, -amount, rough))
 
 
-def rates_each(beta, eta, field_angle, piece, tip, half_width, sine, near, far, drop, depth):
+def rates_each(beta, eta, field_angle, basin, tip, half_width, sine, near, far, height):
     """dχ/dσ at the ends and in the middle of the motion."""
     middle, cosine = tip + half_width, each_cos(half_width)
     double = 2 * (middle - field_angle)
@@ -161,24 +199,20 @@ def rates_each(beta, eta, field_angle, piece, tip, half_width, sine, near, far, 
     excess = -(2 * beta * each_cos(middle) * cosine + eta * each_cos(double) * (1 + cosine * cosine))
     mean = -(2 * beta * each_cos(middle) + eta * cosine * each_cos(double))
     apart = mean - eta
-    close = above_field_each(eta, piece, middle, half_width, field_angle, drop, depth)
+    close = above_field_each(eta, basin, middle, half_width, field_angle, height)
     apart = pick(apart > 0.1 * eta, apart, close)
     split = sine * each_sqrt(larger(apart * (mean + eta), 0) / pick(excess < 0, product - excess, 1))
     return each_sqrt(product / 2), pick(excess < 0, split, each_sqrt(product + larger(excess, 0))) / 2
 
 
-def above_field_each(eta, piece, middle, half_width, field_angle, drop, depth):
+def above_field_each(eta, basin, middle, half_width, field_angle, height):
     """``mean`` less η where they are near each other: 2(V(tip) − V)/(cos(θ − middle) − cos(half_width)) at the θ at
     which it is least, which lies then near the ridge or the well."""
-    basin = piece.basin
-    well, axis = basin.well, basin.axis
-    if basin.passes:
-        high = -piece.high_depth
-        height = fall_each(eta, well, high - drop, drop + piece.level_gap)
-    else:
-        height = fall_each(eta, well, -depth, depth)
+    axis = basin.axis
     shift = wrapped_each(2 * (field_angle - middle))
     offset = wrapped_each(middle + shift - axis.angle)
+    # As near the ridge as rounding it is nearer still: it is there to the second order in the height.
+    offset = pick(each_abs(offset) < 32 * spacing(offset), 0, offset)
     outer, inner = each_sin(half_width / 2), each_sin(shift / 2)
     return (height + fall_each(eta, axis, 0, offset)) / pick(
         outer * outer == inner * inner, 1, outer * outer - inner * inner
