@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from math import pi
 
 import numpy as np
@@ -18,7 +19,7 @@ from derive.measure.taylor import integrate
 
 ULP = 2.0**-52
 
-# beta, eta, length, clamp angle, field angle, most negative directions: swings that are few, many, long, near whole turns.
+# beta, eta, length, clamp angle, field angle, most negative directions: few swings, many, long ones, near whole turns.
 RODS = {
     "field only": (0.0, 1.0, 12.0, 3 * pi / 4, 0.0, None),
     "force only": (1.0, 0.0, 9.0, 2.5, 0.0, None),
@@ -26,13 +27,14 @@ RODS = {
     "orthogonal": (0.2, 1.3, 15.0, -1.0, pi / 2, None),
     "other units": (0.00035, 0.00052, 80.0, 3 * pi / 4, 0.0, None),
     "beyond a turn": (0.3, 0.7, 10.0, 9.0, 0.4, None),
-    "many swings": (0.0, 1.0, 300.0, 3 * pi / 4, 0.0, 60),
-    "straight stretches": (0.0, 1.0, 1000.0, 3 * pi / 4, 0.0, 8),
-    "near hills": (0.3, 0.7, 400.0, 2.0, 0.4, 3),
-    "over the ridge": (1e-3, 1.0, 60.0, 3.0, 0.0, 6),
+    "many swings": (0.0, 1.0, 60.0, 3 * pi / 4, 0.0, None),
+    "straight stretches": (0.0, 1.0, 1000.0, 3 * pi / 4, 0.0, 3),
+    "near hills": (0.3, 0.7, 400.0, 2.0, 0.4, 1),
+    "over the ridge": (0.1, 1.0, 60.0, 3.0, 0.0, 3),
 }
 
 
+@lru_cache
 def bent(*rod):
     """The bent equilibria of a rod."""
     return [one for one in all_equilibria(*rod) if one.swing is not None]

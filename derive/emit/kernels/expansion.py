@@ -147,23 +147,28 @@ def states(equilibrium, width, count, position):
 
 def state_of(equilibrium, length, position):
     """The state at a length from the tip."""
-    rod, stay = equilibrium.rod, equilibrium.swing.stay
-    if position or stay.tip + stay.middle + stay.far > 0:
-        angle, curvature, y, z = angle_and_position(equilibrium, ldexp(rod.length - length, -rod.scale))
-        return State(angle, -ldexp(curvature, -rod.scale), complex(y, z))
-    return State(*angle_and_slope(rod, equilibrium.swing, length), 0)
+    rod = equilibrium.rod
+    angle, slope = angle_and_slope(rod, equilibrium.swing, length)
+    if not position:
+        return State(angle, slope, 0)
+    _, _, y, z = angle_and_position(equilibrium, ldexp(rod.length - length, -rod.scale))
+    return State(angle, slope, complex(y, z))
 
 
 def angle_and_slope(rod, swing, length):
-    """θ and its slope at a length from the tip on a rod without stays, which cost much less than y and z."""
-    motion = swing.stay.motion
+    """θ and its slope at a length from the tip; they cost much less than y and z."""
+    stay, motion = swing.stay, swing.stay.motion
     count = floor(length / swing.length)
     within, sign = length - count * swing.length, rod.side
     if count % 2:
         within, sign = swing.length - within, -rod.side
-    if within <= 0:
+    regular = swing.length - stay.tip - stay.middle - stay.far
+    moving = within - min(within, stay.tip)
+    before = min(moving, regular / 2 if stay.middle > 0 else regular)
+    here = min(before + max(moving - before - stay.middle, 0), regular)
+    if here <= 0:
         return rod.side * (motion.tip + 2 * np.pi * swing.turns), 0.0
-    square, rest = phase_at(motion.end / 2, motion.middle / 2, within)
+    square, rest = phase_at(motion.end / 2, motion.middle / 2, here)
     point, half = point_at(motion, square, rest)
     cotangent = point.pole / point.strength
     slope = 4 * sqrt(point.one) * point.product / (point.strength * (1 + cotangent * cotangent))
