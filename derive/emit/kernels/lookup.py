@@ -36,7 +36,8 @@ def by_lookup(equilibrium, bins, s, position):
     """θ, θ′, y and z at s; y and z are None without ``position``."""
     table = table_of(equilibrium, bins, position)
     results = [np.empty(s.size) for _ in range(4 if position else 2)]
-    spare = Spare(*(np.empty(BLOCK) for _ in range(3)), np.empty((BLOCK, 4)), np.empty(BLOCK, dtype=np.intp))
+    gathered, row = np.empty((BLOCK, 4)), np.empty(BLOCK, dtype=np.intp)
+    spare = Spare(np.empty(BLOCK), np.empty(BLOCK), np.empty(BLOCK), gathered, row)
     for first in range(0, s.size, BLOCK):
         block = slice(first, min(first + BLOCK, s.size))
         fill(equilibrium.rod, table, s[block], [part[block] for part in results], spare)
@@ -127,12 +128,14 @@ def table_of(equilibrium, bins, position):
         parts = short_series(rod, bins, cells, position)
     uniform = not np.any(bins.straight)
     counts = np.where(bins.straight, 1, cells)
+    period, advance = period_of(equilibrium)
     return Table(
         bins.start * (cells if uniform else 1),
         cells / bins.width if uniform else 1 / bins.width,
         None if uniform else np.stack((np.cumsum(counts) - counts, counts), axis=1).astype(float),
         tuple(halves(part * 2.0 ** np.arange(len(part))[:, None]) for part in parts),
-        *period_of(equilibrium),
+        period,
+        advance,
         -ldexp(cells / bins.width, rod.scale),
     )
 
