@@ -9,8 +9,8 @@ from derive.emit.kernels.equilibria import Rod, bent_rod, direction, principal, 
 from derive.emit.kernels.extrema import marks, slope_at
 from derive.emit.kernels.landscape import landscape
 from derive.emit.kernels.pieces import clamp_in
-from derive.emit.kernels.search import Crossing, bracketed_root
-from derive.emit.kernels.tracking import follow, zeros
+from derive.emit.kernels.search import Crossing
+from derive.emit.kernels.tracking import follow, matched, nearest, zero_between, zeros
 from derive.emit.kernels.variations import Change
 
 # How near, as a share of the loads, an exchange may lie to where its branch's extremum itself appears.
@@ -68,7 +68,7 @@ def all_folds(beta, length, clamp_angle, field_angle, low, high):
     def at(eta, key):
         return marks(both_sides(beta, eta, length, clamp_angle, field, scale), key)
 
-    found = [fold_of(sharpened(at, key, eta)) for key, eta in zeros(at, places, -beta)]
+    found = [fold_of(sharpened(at, mark)) for mark in zeros(at, places, -beta)]
     found += pitchforks(beta, length, clamp_angle, field, scale, places)
     return sorted(found, key=lambda item: (item.eta, item.tip_angle))
 
@@ -96,10 +96,10 @@ def steps(beta, soonest, length, low, high):
     return [start, *(eta for eta in inner if start < eta < high), high]
 
 
-def sharpened(at, key, eta):
+def sharpened(at, mark):
     """The extremum where its length is the rod's, by one step of Newton's method: η then has no error of its own."""
-    mark = at(eta, key)[key]
-    return at(eta - mark.height / mark.slope, key).get(key, mark)
+    eta = mark.rod.eta - mark.height / mark.slope
+    return nearest(at(eta, mark.key), mark.key, mark.spot) or mark
 
 
 def fold_of(mark):
@@ -170,50 +170,49 @@ def all_exchanges(length, clamp_angle, field_angle, low_beta, high_beta, low, hi
 
     count = ceil(20 * (high_beta - low_beta) / (low_beta + high)) + 3
     loads = [low_beta, *(low_beta + k * (high_beta - low_beta) / count for k in range(1, count)), high_beta]
-    found = [exchange_of(at, key, beta) for key, beta in zeros(at, loads, -high, CLOSE)]
+    found = [exchange_of(at, mark) for mark in zeros(at, loads, -high, CLOSE)]
     return sorted(found, key=lambda item: (item.beta, item.eta))
 
 
 def stationary(at, places, origin, key):
-    """The extrema of branches whose length is stationary in η too, by key; or only the one wanted."""
+    """The extrema of branches whose length is stationary in η too, by key; or only those of the key wanted."""
 
     def near(eta, _):
-        return at(eta, None if key is None else key[0])
+        return at(eta, None if key is None else key[:-1])
 
     rows = follow(near, places, origin, CLOSE)
-    found, count = {}, {}
+    found = {}
     for low, high in zip(rows, rows[1:], strict=False):
-        for name, mark in low.values.items():
-            if name not in high.values or (mark.slope > 0) == (high.values[name].slope > 0):
-                continue
-            top = mark.slope > 0
-            number = count[name, top] = count.get((name, top), -1) + 1
-            if key is None or key == (name, top, number):
-                best = level_point(at, name, low, high)
+        for name, before, after in matched(low, high):
+            top = before.slope > 0
+            if top != (after.slope > 0) and (key is None or key[-1] == top):
+                best = level_point(at, name, low.place, high.place, before, after)
                 if best is not None:
-                    found[name, top, number] = best._replace(key=(name, top, number), group=(*best.group, top))
+                    found.setdefault((*name, top), []).append(
+                        best._replace(key=(*name, top), group=(*best.group, top), spot=best.rod.eta)
+                    )
     return found
 
 
-def level_point(at, name, low, high):
+def level_point(at, name, low, high, before, after):
     """The extremum between two rows at which the length is stationary in η; None if it is not there all the way."""
 
+    def mark_at(eta):
+        spot = before.spot + (eta - low) / (high - low) * (after.spot - before.spot)
+        return nearest(at(eta, name), name, spot)
+
     def function(eta):
-        return at(eta, name)[name].slope
+        mark = mark_at(eta)
+        return before.slope if mark is None else mark.slope
 
-    try:
-        eta = bracketed_root(function, low.place, high.place, low.values[name].slope, high.values[name].slope, 0)
-        return at(eta, name)[name]
-    except KeyError:
-        return None
+    return mark_at(zero_between(function, low, high, before.slope, after.slope))
 
 
-def exchange_of(at, key, beta):
+def exchange_of(at, mark):
     """The exchange of a doubly stationary length that is the rod's; a step of Newton's method sharpens β."""
-    mark = at(beta, key)[key]
     _, sign, swings, top, over = mark.group
     slope = slope_at(mark.rod, mark.piece, mark.place, sign, swings, Change(0, 1, 0))
-    mark = at(beta - mark.height / slope, key).get(key, mark)
+    mark = nearest(at(mark.rod.beta - mark.height / slope, mark.key), mark.key, mark.spot) or mark
     rod, found = mark.rod, rod_of(mark._replace(group=mark.group[:-1]))
     loads = ldexp(rod.beta, 2 * rod.scale), ldexp(rod.eta, 2 * rod.scale)
     kind = "isolated" if top == over else "exchange"
