@@ -51,7 +51,7 @@ class Mark(NamedTuple):
 
 def marks(sides, wanted=None):
     """The extrema of all branches of a rod, given from both sides, by key; or only those of the key wanted."""
-    found = {}
+    found: dict[tuple, list[Mark]] = {}
     for rod in sides:
         stiff = rod.length * rod.length * (rod.beta + rod.eta) < 2  # nothing meets below (π/2)²
         if stiff or (wanted is not None and wanted[0] != rod.side):

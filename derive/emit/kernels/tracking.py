@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 from derive.emit.kernels.arithmetic import epsilon, inf, sqrt
@@ -44,7 +45,7 @@ def zeros(values_at, places, origin, least=LEAST):
     """
     rows = follow(values_at, places, origin, least)
     found, crossed = [], []
-    for low, high in zip(rows, rows[1:], strict=False):
+    for low, high in pairwise(rows):
         crossed += changes(low, high)
         if share(low, high, origin) <= least:
             found += leaps(low, high)
