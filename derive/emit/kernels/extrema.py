@@ -115,7 +115,7 @@ def dense(sample, samples, length):
     return done
 
 
-def length_of(item, sign, swings):
+def branch_length(item, sign, swings):
     """The length of a branch."""
     return (2 * swings * item.swing if swings else 0) + sign * item.arrival
 
@@ -135,7 +135,7 @@ def branches_near(samples, length):
 
 def near(before, after, sign, swings, length):
     """Whether one of two neighbours is about as long as the rod."""
-    return any(abs(length_of(item, sign, swings) / length - 1) < WINDOW for item in (before, after))
+    return any(abs(branch_length(item, sign, swings) / length - 1) < WINDOW for item in (before, after))
 
 
 def brackets_of(sample, samples, sign, swings, length):
@@ -174,7 +174,7 @@ def mark_at(rod, turns, piece, sample, key, sign, swings, before, after):
         return (2 * swings * item.swing_rate if swings else 0) + sign * item.arrival_rate
 
     place = zero_between(function, before.place, after.place, function(before.place), function(after.place))
-    height = length_of(sample(place), sign, swings) / rod.length - 1
+    height = branch_length(sample(place), sign, swings) / rod.length - 1
     slope = slope_at(rod, piece, place, sign, swings, Change(0, 0, 1))
     return Mark(key, (rod.side, sign, swings, key[-1]), place, place, height, slope, rod, turns, piece)
 
