@@ -136,11 +136,12 @@ class KernelFiles:
         for stem in stems:
             if name in self.files[stem].definitions:
                 return self.files[stem].definitions[name]
+            outside = self.files[stem].imports.get(name)
+            if isinstance(outside, External):
+                return outside
         for stem in stems:
             origin = self.files[stem].imports.get(name)
-            if isinstance(origin, External):
-                return origin
-            if origin and origin[0] not in (file, stem):
+            if isinstance(origin, tuple) and origin[0] not in (file, stem):
                 return self.lookup(*origin)
         return None
 

@@ -24,7 +24,9 @@ _KINDS: tuple[tuple[float, float, float, float], ...] = (
 )
 # Fixed by a load case alone; a scene's own constants come on top.
 _SHARE = {"field_only": 0.0, "force_only": 1.0}
-_FIELD_ANGLE = {"orthogonal": pi / 2, "oblique": 0.7}
+_FIELD_ANGLE = {"orthogonal": pi / 2}
+# For a field at any angle: one for each rod, on both sides of the force, near it and near a quarter turn, beyond that.
+_FIELD_ANGLES = (0.7, -0.4, 1.2, 2.5, 0.9, 1e-3, -1.5, 0.7, -2.0)
 
 
 def rods(case: str, folded: Mapping[str, float] | None = None) -> list[Rod]:
@@ -32,13 +34,14 @@ def rods(case: str, folded: Mapping[str, float] | None = None) -> list[Rod]:
 
     Where a folded force or field would make a rod stiff, its length makes up for it, unless that is folded too.
     """
-    constants = {"field_angle": _FIELD_ANGLE.get(case, 0.0), **(folded or {})}
+    constants = {} if case == "oblique" else {"field_angle": _FIELD_ANGLE.get(case, 0.0)}
+    constants |= folded or {}
     paper = {"field_only": replace(PAPER, beta=0.0), "force_only": replace(PAPER, eta=0.0)}.get(case, PAPER)
-    chosen = [replace(paper, **constants)]
-    for scaled, share, clamp, length in _KINDS:
+    chosen = [replace(paper, **{"field_angle": _FIELD_ANGLES[0]} | constants)]
+    for (scaled, share, clamp, length), field_angle in zip(_KINDS, _FIELD_ANGLES[1:], strict=True):
         length, share = constants.get("length", length), _SHARE.get(case, share)
         stiffness = (scaled / length) ** 2
-        rod = replace(Rod(stiffness * share, stiffness * (1 - share), length, clamp), **constants)
+        rod = replace(Rod(stiffness * share, stiffness * (1 - share), length, clamp, field_angle), **constants)
         if "length" not in constants and not isclose(rod.beta + rod.eta, stiffness):
             rod = replace(rod, length=scaled / sqrt(rod.beta + rod.eta))
         chosen.append(rod)

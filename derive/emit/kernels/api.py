@@ -9,9 +9,9 @@ import numpy as np
 
 from derive.emit.kernels.arguments import all_real, index_limit, many_rods, not_negative, positive, refuse
 from derive.emit.kernels.arithmetic import real
+from derive.emit.kernels.dense import shape_at
 from derive.emit.kernels.equilibria import Equilibrium, all_equilibria, length_of
 from derive.emit.kernels.literal import angle_and_position_literally
-from derive.emit.kernels.shapes import angle_and_position
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,15 +55,14 @@ def equilibria(beta, eta, length, clamp_angle, field_angle, *, max_index=None) -
     return all_equilibria(beta, eta, length, clamp_angle, field_angle, index_limit(max_index))
 
 
-def shape(equilibrium: Equilibrium, s) -> Shape:
+def shape(equilibrium: Equilibrium, s, *, position=True) -> Shape:
     """The shape of an equilibrium at arc lengths s from the clamp, a number or an array within [0, length].
+
+    position: whether y and z are wanted; without them they are None, and θ takes a fraction of the time.
 
     theta, curvature, y and z have the shape of s. Raises TypeError or ValueError where an s is not on the rod.
     """
-    places = on_rod(equilibrium, s)
-    rows = [angle_and_position(equilibrium, place) for place in places.ravel().tolist()]
-    columns = np.array(rows, dtype=float).reshape(-1, 4).T
-    return Shape(*(column.reshape(places.shape)[()] for column in columns))
+    return Shape(*shape_at(equilibrium, on_rod(equilibrium, s), position))
 
 
 def literal(equilibrium: Equilibrium, s) -> Shape:

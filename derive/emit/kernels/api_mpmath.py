@@ -9,13 +9,16 @@ from derive.emit.kernels.literal import angle_and_position_literally
 from derive.emit.kernels.shapes import angle_and_position
 
 
-def shape(equilibrium: Equilibrium, s) -> Shape:
+def shape(equilibrium: Equilibrium, s, *, position=True) -> Shape:
     """The shape of an equilibrium at arc lengths s from the clamp, a number or a sequence of them within [0, length].
+
+    position: whether y and z are wanted; without them they are None.
 
     theta, curvature, y and z are numbers, or lists as long as s. Raises TypeError or ValueError where an s is not on
     the rod.
     """
-    return shape_by(angle_and_position, equilibrium, on_rod(equilibrium, s))
+    found = shape_by(angle_and_position, equilibrium, on_rod(equilibrium, s))
+    return found if position else Shape(found.theta, found.curvature, None, None)
 
 
 def literal(equilibrium: Equilibrium, s) -> Shape:

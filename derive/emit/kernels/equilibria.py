@@ -119,6 +119,8 @@ def below(rod, most):
     clamp = clamp_in(scene.rests, rod.clamp_angle)
     found = []
     for piece in pieces(beta, eta, field_angle, scene, clamp):
+        if not piece.width > 0:  # the clamp angle is at the level of the ridge, to rounding
+            continue
         here = crossings(beta, eta, field_angle, rod.length, piece, most)
         for crossing in sorted(here, key=lambda item: item.place):
             index = index_of(crossing)
