@@ -114,6 +114,15 @@ def _write_sides(writer: Writer) -> None:
         TURNS,
         steps=("phase_tangent_squared",),
     )
+    writer.add(
+        "turn_tilt_apart",
+        (root_near, root_far, versine, coversine),
+        root_far * coversine - root_near * versine,
+        "√P′(1 + cos χ) − √P(1 − cos χ) where P and P′ are far apart",
+        lambda value: Equal(value.subs(names), ahead - behind),
+        TURNS,
+        steps=("phase_tangent_squared",),
+    )
     above = writer.add(
         "turn_over",
         (root, half_sine, half_cosine, part),

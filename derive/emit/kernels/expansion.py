@@ -169,7 +169,7 @@ def angle_and_slope(rod, swing, length):
     if here <= 0:
         return rod.side * (motion.tip + 2 * np.pi * swing.turns), 0.0
     square, rest = phase_at(motion.end / 2, motion.middle / 2, here)
-    point, half = point_at(motion, square, rest)
+    point, half, _ = point_at(motion, square, rest)
     cotangent = point.pole / point.strength
     slope = 4 * sqrt(point.one) * point.product / (point.strength * (1 + cotangent * cotangent))
     return rod.side * (motion.tip + 2 * half + 2 * np.pi * swing.turns), sign * slope

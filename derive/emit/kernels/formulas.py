@@ -342,6 +342,14 @@ def turn_tilt(root_near, root_far, uneven, cosine):
     return uneven + cosine * (root_near + root_far)
 
 
+def turn_tilt_apart(root_near, root_far, versine, coversine):
+    """√P′(1 + cos χ) − √P(1 − cos χ) where P and P′ are far apart.
+
+    Proved as swing.turn_tilt_apart.
+    """
+    return root_far * coversine - root_near * versine
+
+
 def turn_over(root, half_sine, half_cosine, part):
     """sin D times √P(1 − cos χ), or √P′(1 + cos χ).
 

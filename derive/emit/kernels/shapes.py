@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from derive.emit.kernels.arcs import Arc, Point, arc_to
-from derive.emit.kernels.arithmetic import atan2, cos, floor, ldexp, pi, sin, sqrt
+from derive.emit.kernels.arithmetic import atan2, cos, floor, ldexp, pi, pick, sin, sqrt
 from derive.emit.kernels.formulas import (
     chi_cosine,
     chi_coversine,
@@ -21,6 +21,7 @@ from derive.emit.kernels.formulas import (
     turn_level,
     turn_over,
     turn_tilt,
+    turn_tilt_apart,
     turn_under,
     unit_sine,
 )
@@ -70,20 +71,23 @@ def regular_part(rod, motion, length):
     if length <= 0:
         return motion.tip, 0 * length, Arc(0, 0, 0)
     square, rest = phase_at(motion.end / 2, motion.middle / 2, length)
-    point, half = point_at(motion, square, rest)
+    point, half, low = point_at(motion, square, rest)
     arc = arc_to(rod.beta, rod.eta, rod.field_angle, motion, point, square, rest, length)
-    speed = point_speed(point.strength, sin(half), point.one, point.product)
+    speed = point_speed(point.strength, low, point.one, point.product)
     return motion.tip + 2 * half, speed, arc
 
 
 def point_at(motion, square, rest):
-    """The point at ψ by sin²ψ and cos²ψ, and half the angle from the tip to it, by cos χ."""
+    """The point at ψ by sin²ψ and cos²ψ, and half the angle from the tip to it with its sine, by cos χ."""
     a, b, near, far = motion.end / 2, motion.middle / 2, sqrt(motion.near), sqrt(motion.far)
     flat = (b / a) * (b / a) * square
     scale = chi_scale(square, rest, flat)
     versine, coversine = chi_versine(square, rest, flat, scale), chi_coversine(rest, scale)
     level = turn_level(near, far, versine, coversine)
-    tilt = turn_tilt(near, far, motion.uneven, chi_cosine(square, rest, flat, scale))
+    # The difference of the roots where they are near each other, else that of the terms themselves.
+    alike = turn_tilt(near, far, motion.uneven, chi_cosine(square, rest, flat, scale))
+    apart = turn_tilt_apart(near, far, versine, coversine)
+    tilt = pick(abs(motion.uneven) < 0.1 * (near + far), alike, apart)
     sine, cosine = sin(motion.half_width / 2), motion.half_cosine
     over, under = turn_over(near, sine, cosine, versine), turn_under(sine, cosine, level, tilt)
     left_over, left_under = turn_over(far, sine, cosine, coversine), turn_under(sine, cosine, level, -tilt)
@@ -97,4 +101,4 @@ def point_at(motion, square, rest):
         pair_root(near, done, whole, chi_rate(square, rest, flat, scale)),
         pair_root_sum(square, delta),
     )
-    return point, atan2(over, under)
+    return point, atan2(over, under), done
