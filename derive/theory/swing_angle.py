@@ -130,7 +130,7 @@ def _write_sides(writer: Writer) -> None:
         "sin D times √P(1 − cos χ), or √P′(1 + cos χ)",
         lambda value: Equal(value.subs(names), sin(half_width) * root * part),
         TURNS.with_range(root, 0, oo).with_range(part, 0, 2),
-        steps=(),
+        steps=("phase_tangent_squared",),
         source="DLMF 4.21(iii)",
     )
 
@@ -160,6 +160,6 @@ def _write_sides(writer: Writer) -> None:
         "sine of the angle in (0, π) whose tangent is over/under",
         lambda value: Equal(value**2 / (1 - value**2), (over / under) ** 2),
         Domain({over: (0, oo), under: (-oo, oo)}),
-        steps=(),
+        steps=("turn_over", "turn_under"),
         source="DLMF 4.14.7",
     )
