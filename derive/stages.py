@@ -21,6 +21,8 @@ THEORY = (HERE / "theory",)
 CHECK = (*THEORY, HERE / "check")
 PRINTED = (*CHECK, HERE / "paper")
 PAPER = (HERE / "paper",)
+# Decimal digits to which folded constants are handed to the references: more than any of them works with.
+EXACT = 120
 REPORT = (*PRINTED, HERE / "report")
 EMIT = (*CHECK, HERE / "emit", HERE / "resources.py")
 REFERENCE = tuple(HERE / "measure" / f"{name}.py" for name in ("taylor", "reference", "scan", "rods"))
@@ -158,7 +160,7 @@ def emit(scene_text: str, label: str, backend: str) -> dict[str, Any]:
     found = {
         "name": f"{scene.name}_{backend}",
         "case": scene.case,
-        "folded": {name: float(value) for name, value in scene.folded.items()},
+        "folded": {name: str(value.evalf(EXACT)) for name, value in scene.folded.items()},
         "backend": backend,
     }
     try:
@@ -184,18 +186,23 @@ def emit_kernels() -> dict[str, str]:
     return emit_kernels(theory())
 
 
-def list_rods(case: str, folded: dict[str, float]) -> int:
-    """How many rods the modules of a scene are run on."""
+def list_rods(case: str, folded: dict[str, str]) -> int:
+    """How many rods the modules of a scene are run on; ``folded``: its constants to EXACT digits."""
     from derive.measure.rods import rods
 
-    return len(rods(case, folded))
+    return len(rods(case, {name: float(text) for name, text in folded.items()}))
 
 
-def reference(case: str, folded: dict[str, float], number: int) -> list[dict[str, Any]]:
-    """All equilibria of one of the rods of a load case, to 40 digits."""
+def reference(case: str, folded: dict[str, str], number: int) -> list[dict[str, Any]]:
+    """All equilibria of one of the rods of a load case, to 40 digits; ``folded``: its constants to EXACT digits."""
+    from mpmath import mp, mpf
+
     from derive.measure.rods import references, rods
 
-    return [found.to_json() for found in references(rods(case, folded)[number])]
+    rod = rods(case, {name: float(text) for name, text in folded.items()})[number]
+    with mp.workdps(EXACT):
+        exact = {name: mpf(text) for name, text in folded.items()}
+    return [found.to_json() for found in references(rod, exact)]
 
 
 def agree(text: str, backend: str, known: Sequence[Sequence[dict[str, Any]]]) -> dict[str, Any]:

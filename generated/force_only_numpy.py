@@ -4,25 +4,33 @@ Emitted by `derive emit` from the scene 'force_only': do not edit, change the sc
 
 Gives: equilibria, shape, sweep.
 Load case: force only, eta = 0. Valid for beta >= 0, length > 0, any clamp_angle.
-Formulas, each proved equal to its derivation:
-    arc_length (DLMF 19.25.35), arc_y (slch12), arc_y_each (slch12), arc_z (slch14), arc_z_each (slch14),
-    curvature_squared (slch5), drive_between (slch4), gap_below (slch4), gap_from_side (slch4), gap_minus_plus,
-    gap_other_minus, level_above_gap (slch4), moment_from_side (exsl6), moment_from_top (exsl6),
-    point_minus (exsl22), point_other (exsl22), point_plus (exsl22), rod_energy (slch5), side_moment (exsl6),
-    straight_stiffness, tip_gamma (slch6), tip_gap (slch4)
-Digest of the inputs: sha256 254078dc1fb94622eccbbffe9b38c930a5bfaa14f23ee207fc808a7458ffa8a3
+Digest of the inputs: sha256 11de4c88af9eb7ea9c3bc000826900f3a219b5a29c2ecbb8d2e20a9584debc85
 """
 
 from __future__ import annotations
 
+from cmath import log as complex_log
+from cmath import sqrt as complex_sqrt
 from dataclasses import dataclass
-from math import ceil, cos, exp, floor, isfinite, log, pi, sin, sqrt
+from math import asin, atan2, ceil, cos, exp, floor, frexp, hypot, inf, isfinite, ldexp, log, log2, pi, sin, sqrt
 from operator import index
 from typing import Any, NamedTuple
 
 import numpy as np
 
 __all__ = ["Equilibrium", "Shape", "Sweep", "equilibria", "shape", "sweep"]
+
+# Constants
+
+FEW = 64  # points up to which each is computed by itself
+COARSE = 8  # bins up to which a range is not divided to find straight ones in it
+SHORT = 128  # bins up to which none is looked for that is straight
+LONGEST = 48  # the longest series; where more terms are wanted, bins are halved
+ENOUGH = 1500  # points in a run, on average, from which runs are faster than looking up
+RUN_BLOCK = 16384  # points at a time, so that they stay in the cache
+ANGLE_DEGREE = 6  # of the short series: two gathers of up to four coefficients each
+PLACE_DEGREE = 5  # the slope is not asked for, so it needs a degree less
+LOOKUP_BLOCK = 8192  # points at a time, so that what is gathered for them stays in the cache
 
 
 # Special functions
@@ -44,283 +52,52 @@ def real(name: str, value: object) -> float:
     return number
 
 
+def less_quarters(angle, quarters):
+    """angle − quarters·π/2, with π/2 in two parts of which the first has 33 bits, so that nothing is lost."""
+    return (angle - quarters * 1.5707963267341256) - quarters * 6.077100506506192e-11
+
+
 def epsilon() -> float:
     """The spacing of numbers just above 1."""
     return 2.0**-52
 
 
-def half_period(steps):
-    """Real half-period ω₁ of ℘ from the mean's steps, started at a = √(e₁ − e₃), b = √(e₁ − e₂) (DLMF 23.6.34)."""
-    return pi / (2 * steps[-1][0])
+def pick(condition, yes, no):
+    """``yes`` where the condition holds, else ``no``."""
+    return yes if condition else no
 
 
-def agm(a, b):
-    """Arithmetic-geometric mean of a ≥ b > 0, as the list of its steps (aₙ, bₙ); the last two agree to rounding."""
-    steps = [(a, b)]
-    while abs(a - b) > 4 * epsilon() ** 0.5 * a:
-        a, b = (a + b) / 2, sqrt(a * b)
-        steps.append((a, b))
-    steps.append(((a + b) / 2, sqrt(a * b)))
-    return steps
+def any_of(condition):
+    """Whether the condition holds anywhere."""
+    return condition
 
 
-def rf(x, y, z):
-    """R_F(x, y, z) for real x, y, z ≥ 0, at most one of them zero, by duplication.
+def larger(x, y):
+    """The larger one."""
+    return x if x > y else y
 
-    Each step takes a quarter of the spread; the last terms are the Taylor polynomial of degree 7 in the spread
-    (DLMF 19.36.1), so the steps stop when its first omitted term is below rounding.
-    """
-    start = mean = (x + y + z) / 3
-    reach = max(abs(mean - x), abs(mean - y), abs(mean - z)) / (3 * epsilon()) ** 0.125
-    first, second = mean - x, mean - y
-    scale = 1
-    while reach > abs(mean) * scale:
-        root_x, root_y, root_z = sqrt(x), sqrt(y), sqrt(z)
-        shift = root_x * root_y + root_x * root_z + root_y * root_z
-        x, y, z, mean = (x + shift) / 4, (y + shift) / 4, (z + shift) / 4, (mean + shift) / 4
-        scale *= 4
-    if start == mean and reach == 0:
-        return 1 / sqrt(mean)
-    a, b = first / (scale * mean), second / (scale * mean)
-    c = -a - b
-    e2, e3 = a * b - c * c, a * b * c
-    series = (
-        e2 * (e2 * (1 - 15 * e2 / 26) / 24 - 3 * e3 / 44) - e2 / 10 + e3 / 14 + 3 * e3 * e3 / 104 + e2 * e2 * e3 / 16
-    )
-    return (1 + series) / sqrt(mean)
 
+def spacing(x):
+    """The spacing of numbers just above 1, in the precision of x."""
+    return 2.0**-52
 
-def spread_series(a, b, c, d, e):
-    """Sum of the terms of degree 2 to 7 in the spread of five variables whose sum is zero (DLMF 19.36.2)."""
-    s2 = (a * a + b * b + c * c + d * d + e * e) / 2
-    s3 = (a**3 + b**3 + c**3 + d**3 + e**3) / 3
-    s4 = (a**4 + b**4 + c**4 + d**4 + e**4) / 4
-    s5 = (a**5 + b**5 + c**5 + d**5 + e**5) / 5
-    # Elementary symmetric functions from the power sums (Newton's identities with e₁ = 0).
-    e2, e3 = -s2, s3
-    e4 = s2 * s2 / 2 - s4
-    e5 = s5 - s2 * s3
-    low = -3 * e2 / 14 + e3 / 6 + 9 * e2 * e2 / 88 - 3 * e4 / 22 - 9 * e2 * e3 / 52 + 3 * e5 / 26
-    return (
-        low - e2**3 / 16 + 3 * e3 * e3 / 40 + 3 * e2 * e4 / 20 + 45 * e2 * e2 * e3 / 272 - 9 * (e3 * e4 + e2 * e5) / 68
-    )
 
+def deepest(width):
+    """How far down, in the logarithm of the share of a width, the square of an offset is still a number."""
+    return max(40.0, 300 + log(width))
 
-def rd(x, y, z):
-    """R_D(x, y, z) = R_J(x, y, z, z) for x, y ≥ 0, not both zero, z > 0, by duplication."""
-    mean = (x + y + 3 * z) / 5
-    a, b = mean - x, mean - y
-    spread = np.maximum(np.maximum(np.abs(a), np.abs(b)), np.abs(mean - z))
-    target = (epsilon() / 4) ** 0.125
-    scale, total = 1, 0 * mean
-    while np.max(spread / mean) > target * scale:
-        root_x, root_y, root_z = np.sqrt(x), np.sqrt(y), np.sqrt(z)
-        shift = root_x * root_y + root_x * root_z + root_y * root_z
-        total = total + 1 / (scale * root_z * (z + shift))
-        x, y, z, mean = (x + shift) / 4, (y + shift) / 4, (z + shift) / 4, (mean + shift) / 4
-        scale *= 4
-    a, b = a / (scale * mean), b / (scale * mean)
-    c = -(a + b) / 3
-    return (1 + spread_series(a, b, c, c, c)) / (scale * mean * np.sqrt(mean)) + 3 * total
 
+def complex_of(real, imaginary):
+    """The complex number of a real and an imaginary part."""
+    return complex(real, imaginary)
 
-def root_ratios(steps, u):
-    """1/√(℘ − e₃), √((℘ − e₁)/(℘ − e₃)) and √((℘ − e₂)/(℘ − e₃)) at 0 ≤ u ≤ ω₁, elementwise in u.
 
-    In Jacobi's letters sn/a, cn, dn. At the end of the mean they are circular; each step back is Gauss's
-    transformation (DLMF 22.7(ii)) written without a difference of near numbers, so that cn keeps its relative
-    precision where it is exponentially small; near u = 0, where its distance from 1 counts, it follows from sn.
-    """
-    mean = steps[-1][0]
-    r, c = np.sin(mean * u) / mean, np.cos(mean * u)
-    for (a, b), (a_next, _) in zip(steps[-2::-1], steps[:0:-1], strict=True):
-        half_gap = (a - b) / 2
-        below = c * c / (1 + a_next * r) + b * r
-        scale = 1 + a_next * half_gap * r * r
-        r, c = r / scale, c * np.sqrt(below * (1 + half_gap * r)) / scale
-        sine = a * r
-        c = np.where(sine < 0.7, np.sqrt((1 + sine) * np.maximum(1 - sine, 0)), c)
-    b = steps[0][1]
-    return r, c, np.sqrt(c * c + b * b * r * r)
-
-
-# Formulas, as derived
-
-
-def side_moment(beta):
-    """θ″/sin θ towards θ = π.
-
-    Equation exsl6; proved as tip.force_only.side_moment.
-    """
-    return beta
-
-
-def moment_from_side(side, plus):
-    """θ″/sin θ at the angle with offset 1 + cos θ.
-
-    Equation exsl6; proved as tip.force_only.moment_from_side.
-    """
-    return side
-
-
-def gap_from_side(side, plus):
-    """−f̂(−1)/(1 + ξ(ℓ)) from the offset 1 + ξ(ℓ).
-
-    Equation slch4; proved as tip.force_only.gap_from_side.
-    """
-    return -2 * side
-
-
-def moment_from_top(beta, minus):
-    """θ″/sin θ at the angle with offset 1 − cos θ.
-
-    Equation exsl6; proved as tip.force_only.moment_from_top.
-    """
-    return beta
-
-
-def tip_gap(beta, minus):
-    """−f̂(−1)/(1 + ξ(ℓ)): its sign tells whether the orbit stops before ξ = −1.
-
-    Equation slch4; proved as tip.force_only.tip_gap.
-    """
-    return -2 * beta
-
-
-def tip_gamma(beta, xi_tip):
-    """γ of the first integral, such that the curvature vanishes at the tip.
-
-    Equation slch6; proved as tip.force_only.tip_gamma.
-    """
-    return 2 * beta * xi_tip
-
-
-def rod_energy(beta, gamma, length, y):
-    """Energy of the rod over EI: bending, field and force.
-
-    Equation slch5; proved as tip.force_only.rod_energy.
-    """
-    return 0.5 * gamma * length - 2 * beta * y
-
-
-def straight_stiffness(beta, xi):
-    """The coefficient k of h″ + kh = 0 for small rotations h of a straight rod, cos θ = ξ = ±1.
-
-    Proved as tip.force_only.straight_stiffness.
-    """
-    return -beta * xi
-
-
-def gap_minus_plus(drive):
-    """e_minus − e_plus.
-
-    Proved as tip.force_only.gap_minus_plus.
-    """
-    return drive
-
-
-def gap_other_minus(minus, gap):
-    """e_other − e_minus.
-
-    Proved as tip.force_only.gap_other_minus.
-    """
-    return 0.25 * minus * gap
-
-
-def point_plus(plus, drive, one_minus, drop):
-    """x_plus = ℘ − e_plus at the point where cos θ = ξ.
-
-    Equation exsl22; proved as tip.force_only.point_plus.
-    """
-    return 0.5 * plus * drive * one_minus / drop
-
-
-def point_minus(minus, drive, one_plus, drop):
-    """x_minus = ℘ − e_minus at the point where cos θ = ξ.
-
-    Equation exsl22; proved as tip.force_only.point_minus.
-    """
-    return 0.5 * minus * drive * one_plus / drop
-
-
-def point_other(plus, minus, level, drop):
-    """x_other = ℘ − e_other at the point where cos θ = ξ.
-
-    Equation exsl22; proved as tip.force_only.point_other.
-    """
-    return 0.25 * plus * minus * level / drop
-
-
-def arc_length(x_plus, x_minus, x_other):
-    """σ, the length from the tip to the point.
-
-    Equation DLMF 19.25.35; proved as tip.force_only.arc_length.
-    """
-    return rf(x_plus, x_minus, x_other)
-
-
-def gap_below(clamp_gap, drop):
-    """−f̂(−1)/(1 + ξ(ℓ)) of an orbit that passes −1.
-
-    Equation slch4; proved as tip.force_only.gap_below.
-    """
-    return clamp_gap
-
-
-def level_above_gap(one_plus, gap):
-    """f̂(ξ)/(ξ(ℓ) − ξ) of an orbit that passes −1.
-
-    Equation slch4; proved as tip.force_only.level_above_gap.
-    """
-    return -gap
-
-
-def drive_between(drop, level):
-    """β + Hξ(ℓ) from f̂ at the clamp: the slope of f̂ at the tip is −2 times it.
-
-    Equation slch4; proved as tip.force_only.drive_between.
-    """
-    return 0.5 * level
-
-
-def arc_y(plus, minus, drive, xi_tip, arc, x_plus, x_minus, x_other):
-    """∫cos θ dσ from the tip to the point.
-
-    Equation slch12; proved as tip.force_only.arc_y.
-    """
-    return xi_tip * arc - plus * minus * drive * rd(x_plus, x_minus, x_other) / 6
-
-
-def arc_z(plus, minus, sin_tip, x_other):
-    """∫sin θ dσ from the tip to the point, before θ passes 0 or π.
-
-    Equation slch14; proved as tip.force_only.arc_z.
-    """
-    return sin_tip / sqrt(x_other)
-
-
-def curvature_squared(drop, level):
-    """θ′², the square of the curvature: f̂(ξ).
-
-    Equation slch5; proved as tip.force_only.curvature_squared.
-    """
-    return drop * level
-
-
-def arc_y_each(plus, minus, drive, xi_tip, arc, x_plus, x_minus, x_other):
-    """∫cos θ dσ from the tip to the point.
-
-    Equation slch12; proved as tip.force_only.arc_y.
-    """
-    return xi_tip * arc - plus * minus * drive * rd(x_plus, x_minus, x_other) / 6
-
-
-def arc_z_each(plus, minus, sin_tip, x_other):
-    """∫sin θ dσ from the tip to the point, before θ passes 0 or π.
-
-    Equation slch14; proved as tip.force_only.arc_z.
-    """
-    return sin_tip / np.sqrt(x_other)
+def arctan_share(z, end):
+    """R_C(1, end) for complex end = 1 + z: arctan(√z)/√z, by its series where z is small (DLMF 19.2.18)."""
+    if abs(z) < 1e-3:
+        return 1 - z * (1 / 3 - z * (1 / 5 - z * (1 / 7 - z * (1 / 9 - z / 11))))
+    root = complex_sqrt(-z)
+    return complex_log((1 + root) * (1 + root) / end) / (2 * root)
 
 
 # Solver
@@ -328,33 +105,69 @@ def arc_z_each(plus, minus, sin_tip, x_other):
 
 @dataclass(frozen=True, slots=True)
 class Rod:
-    """What a shape needs beyond the tip: the rod, whole turns of the clamp angle, and how it was mirrored."""
+    """A rod in units in which β + η is of order one: lengths are 2**scale times the user's.
+
+
+    """
 
     beta: float
     length: float
-    turns: float
-    mirrored: bool
+    clamp_angle: float
+    side: int
+    scale: int
 
 
-class Tip(NamedTuple):
-    """The free end, by what stays precise when it is near an equilibrium direction or a separatrix."""
+class Motion(NamedTuple):
+    """A motion from rest at the tip through the clamp angle to rest at the far turning point, and back.
 
-    half_sine: float  # sin(θ_ℓ/2)
-    half_cosine: float  # cos(θ_ℓ/2)
-    gap: float  # η(1 − ξ_ℓ) − 2β
-    drop: float  # ξ_ℓ − cos θ(0)
-    level: float  # 2β + η(cos θ(0) + ξ_ℓ)
-    drive: float  # β + ηξ_ℓ
-    angle: float  # θ_ℓ in [0, 2π)
-    passes: bool
+    With χ from 0 at the tip to π at the far turning point, dσ = dχ/√(end² cos²χ + middle² sin²χ).
+    """
+
+    tip: float  # the tip angle, in the turn of the landscape
+    half_width: float
+    done: float  # clamp − tip
+    left: float  # far turning point − clamp
+    near_moment: float  # θ″ at the tip
+    far_moment: float  # −θ″ at the far turning point
+    near: float  # 2θ″/sin(half_width) at the tip
+    far: float  # the same at the far turning point
+    end: float
+    middle: float
+    sine: float  # sin(half_width)
+    half_cosine: float  # cos(half_width/2)
+    uneven: float  # √far − √near
+    done_sine: float  # sin(done/2)
+    left_sine: float  # sin(left/2)
 
 
-class Given(NamedTuple):
-    """The parameters of a rod as numbers, or of many as arrays of one length."""
+class Stay(NamedTuple):
+    """A motion, and the lengths for which it stays near its tip, its middle, and its far turning point besides."""
 
-    beta: Any
-    length: Any
-    clamp_angle: Any
+    motion: Motion
+    tip: float
+    middle: float
+    far: float
+    arrival: float
+
+
+class Arc(NamedTuple):
+    """A stretch of rod from the tip: ∫cos θ, ∫sin θ and η∫cos²(θ − α)."""
+
+    y: float
+    z: float
+    square: float
+
+
+@dataclass(frozen=True, slots=True)
+class Swing:
+    """A half-swing of a bent rod, for its shape: how it was found, its length, and its arc. turns: of the clamp."""
+
+    stay: Stay
+    turns: int
+    length: float
+    arc: Arc
+    middle_angle: float
+    far_angle: float
 
 
 def not_negative(name: str, value: object) -> float:
@@ -373,9 +186,1101 @@ def positive(name: str, value: object) -> float:
     return number
 
 
-def one_rod(beta, length, clamp_angle):
-    """The parameters of one rod as numbers; TypeError or ValueError names the first that cannot be."""
-    return Given(not_negative("beta", beta), positive("length", length), real("clamp_angle", clamp_angle))
+def idle_rod(beta, length, clamp_angle):
+    """The rod on which nothing acts."""
+    rod = Rod(beta, length, clamp_angle, 1, 0)
+    nothing = 0 * length
+    y, z = length * cos(clamp_angle), length * sin(clamp_angle)
+    return Equilibrium(clamp_angle, nothing, nothing, y, z, nothing, 0, rod, None)
+
+
+class Rest(NamedTuple):
+    """A direction without moment: angle = quarters·π/2 + extra.
+
+    stiffness: dθ″/dθ there, positive on a hill. double_cosine, double_sine: of 2(angle − α).
+    """
+
+    quarters: int
+    extra: float
+    angle: float
+    stiffness: float
+    double_cosine: float
+    double_sine: float
+
+
+class Landscape(NamedTuple):
+    """The directions of one turn, from the highest hill to the same hill a turn on: hill, well(, ridge, well), hill.
+
+    level: the ridge is as high as the hill. even: V is symmetric about every hill and well.
+    """
+
+    rests: tuple[Rest, ...]
+    level: bool
+    even: bool
+
+
+def along(beta, quarters, sign):
+    """A direction along or against the force, no field: what it is about the field is not asked."""
+    return Rest(quarters, 0, quarters * (pi / 2), sign * beta, 1, 0)
+
+
+def no_field(beta):
+    """The force alone."""
+    return Landscape((along(beta, 0, 1), along(beta, 2, -1), along(beta, 4, 1)), False, True)
+
+
+def landscape(beta):
+    """Hills and wells for a field angle in (−π/2, π/2]."""
+    return no_field(beta)
+
+
+def offset_from(rest, angle, turns):
+    """angle − (rest + turns·2π), without cancellation; 0 where no angle within rounding of this tells them apart."""
+    offset = less_quarters(angle, 4 * turns + rest.quarters) - rest.extra
+    blur = epsilon() * (abs(angle) + abs(rest.extra))
+    return pick((abs(offset) <= blur) | (abs(offset) < epsilon() ** 9), 0, offset)
+
+
+class Clamp(NamedTuple):
+    """The clamp angle in a landscape: whole turns, and its offset from each direction without moment."""
+
+    turns: int
+    offsets: tuple[float, ...]
+
+
+def clamp_in(rests, angle):
+    """Whole turns such that the clamp lies from the first hill up to, but not at, its like a turn on."""
+    turns = floor((angle - rests[0].angle) / (2 * pi))
+    for _ in range(3):
+        offsets = tuple(offset_from(rest, angle, turns) for rest in rests)
+        shift = pick(offsets[0] < 0, -1, pick(offsets[-1] >= 0, 1, 0))
+        if not any_of(shift != 0):
+            break
+        turns = turns + shift
+    return Clamp(turns, offsets)
+
+
+class Ground(NamedTuple):
+    """What the ranges of a rod are told by: its landscape and the clamp's offsets from the directions there.
+
+    drop: V(hill) − V(ridge); level: from the hill to the level of the ridge; height: V(ridge) − V(clamp). They are 0
+    where no ridge is lower than the hill.
+    """
+
+    scene: Landscape
+    at: tuple[float, ...]
+    drop: float
+    level: float
+    height: float
+
+
+def level_ground(scene, at):
+    """The ground without a ridge lower than the hill."""
+    return Ground(scene, at, 0, 0, 0)
+
+
+def ridge_fall(beta, hill, ridge):
+    """V(hill) − V(ridge): the sine of half their distance times the slope of V between, as if it were a circle."""
+    half, middle = (ridge.extra - hill.extra) / 2, pi / 2 + (hill.extra + ridge.extra) / 2
+    return cos(half) * (2 * beta * sin(middle))
+
+
+def fall_from_rest(stiffness, middle, half):
+    """V(middle − half) − V(middle + half), with both angles measured from a direction without moment."""
+    return 2 * sin(half) * (sin(middle) * stiffness)
+
+
+def fall(rest, start, change):
+    """V(start) − V(start + change), from a start measured from a direction without moment."""
+    half = change / 2
+    return fall_from_rest(rest.stiffness, start + half, half)
+
+
+def moment_from_rest(stiffness, offset):
+    """θ″ = −V′ at an offset from a direction without moment."""
+    return sin(offset) * stiffness
+
+
+def slope(rest, offset):
+    """θ″ at an offset from a direction without moment."""
+    return moment_from_rest(rest.stiffness, offset)
+
+
+def reach(rest, amount, most, side):
+    """The distance from a hill (or a well) at which V is lower (or higher) by ``amount``, to one side.
+
+    most: the distance of the next well (or hill). Newton's method for the square root of the difference, which is
+    nearly linear, from the pendulum's value.
+    """
+    share = amount / abs(fall(rest, 0, side * most))
+    near = most * asin(sqrt(pick(share < 1, share, 1))) * (2 / pi)
+    goal, moving = sqrt(amount), True
+    for _ in range(40):
+        here = sqrt(abs(fall(rest, 0, side * near)))
+        force = larger(abs(slope(rest, side * near)), epsilon() ** 20)
+        trial = near - 2 * here * (here - goal) / force
+        trial = pick(trial > most, (near + most) / 2, pick(trial < 0, near / 2, trial))
+        # Newton's method squares the error: after a step this small the next one would change nothing.
+        moving, near = abs(trial - near) > spacing(trial) ** 0.6 * near, trial
+        if not any_of(moving):
+            break
+    return near
+
+
+def ridge_ground(scene, at, drop):
+    """The ground with a lower ridge."""
+    rests = scene.rests
+    level = reach(rests[0], drop, rests[1].angle - rests[0].angle, 1)
+    return Ground(scene, at, drop, level, fall(rests[2], 0, at[2]))
+
+
+def ground_of(beta, scene, clamp):
+    """The ground of a rod."""
+    rests, at = scene.rests, clamp.offsets
+    if len(rests) == 3:
+        return level_ground(scene, at)
+    drop = 0 if scene.level else ridge_fall(beta, rests[0], rests[2])
+    # A ridge lower by less than this would be passed only from within its square root of the hill.
+    if drop <= epsilon() ** 17 * beta:
+        return level_ground(scene._replace(level=True, even=True), at)
+    return ridge_ground(scene, at, drop)
+
+
+def in_basin(at, first, inside, builders):
+    """The range of a clamp inside a basin: one before the well and at it, another beyond."""
+    return [(inside & (at[first + 1] <= 0), builders[0]), (inside & (at[first + 1] > 0), builders[1])]
+
+
+def pick_rest(condition, yes, no):
+    """One or the other direction, number by number."""
+    return Rest(*(pick(condition, *pair) for pair in zip(yes, no, strict=True)))
+
+
+class Basin(NamedTuple):
+    """What stops the rod and what it swings about: the hill that tips come from and the well below them, the hill
+    that stops the motion and the last well before it, and the direction where it is slowest between its ends: the
+    ridge that it passes, or the well.
+
+    far_rise: V(far) − V(hill). even: the motion is symmetric about its middle.
+    """
+
+    hill: Rest
+    well: Rest
+    far: Rest
+    far_well: Rest
+    axis: Rest
+    far_rise: float
+    passes: bool
+    even: bool
+
+
+class Piece(NamedTuple):
+    """Tip angles from low to low + width in a basin; angles as differences, told without loss.
+
+    low_kind: 'hill', or 'level', where V is that of the ridge. high_kind: 'clamp', the clamp angle itself; 'turn', the
+    angle from which the rod turns back at the clamp angle; 'level'.
+    """
+
+    basin: Basin
+    low_kind: str
+    high_kind: str
+    low_offset: float  # low − hill
+    width: float
+    high_depth: float  # well − high
+    clamp_gap: float  # clamp − high
+    level_gap: float  # the angle at the level of the ridge − high, of a motion that passes it
+    clamp_rest: Rest  # the direction next to the clamp
+    clamp_offset: float  # clamp − that direction
+    far_gap: float  # far − clamp
+
+
+def piece_of(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, at):
+    """The record of a range."""
+    rests = (basin.hill, basin.well, basin.axis, basin.far_well, basin.far) if basin.passes else basin[:3]
+    rest, offset = rests[0], at[0]
+    for other, distance in zip(rests[1:], at[1:], strict=False):
+        closer = abs(distance) < abs(offset)
+        rest, offset = pick_rest(closer, other, rest), pick(closer, distance, offset)
+    last = at[len(rests) - 1]
+    return Piece(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last)
+
+
+def from_hill_to_clamp(basin, at):
+    """From a hill to a clamp before the well."""
+    return piece_of(basin, "hill", "clamp", 0, at[0], -at[1], 0, 0, at)
+
+
+def basin_of(ground, first):
+    """The basin between two neighbouring hills."""
+    scene = ground.scene
+    hill, well, far = scene.rests[first : first + 3]
+    even = scene.even and (scene.level or len(scene.rests) == 3)
+    return Basin(hill, well, far, well, well, ground.drop if first else 0, False, even)
+
+
+def first_clamp(ground):
+    """From the first hill to the clamp."""
+    return from_hill_to_clamp(basin_of(ground, 0), ground.at[:3])
+
+
+def from_hill_to_turn(basin, at):
+    """From a hill to where the rod turns back at a clamp beyond the well."""
+    down, depth = basin.well.angle - basin.hill.angle, at[1]
+    width = -at[2]
+    if not basin.even:
+        above = -fall(basin.well, 0, at[1])
+        below = fall(basin.far, 0, at[2]) - basin.far_rise
+        from_top = reach(basin.hill, larger(below, 0), down, 1)
+        from_well = reach(basin.well, above, down, -1)
+        depth = pick(below < above, down - from_top, from_well)
+        width = pick(below < above, from_top, down - from_well)
+    return piece_of(basin, "hill", "turn", 0, width, depth, depth + at[1], 0, at)
+
+
+def first_turn(ground):
+    """From the first hill to where the rod turns back at the clamp."""
+    return from_hill_to_turn(basin_of(ground, 0), ground.at[:3])
+
+
+def last_clamp(ground):
+    """From the second hill to the clamp."""
+    return from_hill_to_clamp(basin_of(ground, 2), ground.at[2:])
+
+
+def last_turn(ground):
+    """From the second hill to where the rod turns back at the clamp."""
+    return from_hill_to_turn(basin_of(ground, 2), ground.at[2:])
+
+
+def over_ridge(ground):
+    """What stops a motion that passes the ridge."""
+    hill, well, ridge, second, far = ground.scene.rests
+    return Basin(hill, well, far, second, ridge, 0, True, ground.scene.even)
+
+
+def pass_clamp(ground):
+    """From the highest hill to a clamp above the level of the ridge."""
+    at = ground.at
+    return piece_of(over_ridge(ground), "hill", "clamp", 0, at[0], -at[1], 0, ground.level - at[0], at)
+
+
+def pass_level(ground):
+    """From the highest hill to the level of the ridge."""
+    over, level, at = over_ridge(ground), ground.level, ground.at
+    return piece_of(over, "hill", "level", 0, level, over.well.angle - over.hill.angle - level, at[0] - level, 0, at)
+
+
+def onward(rest, start, amount, rough):
+    """How far beyond ``start``, an offset from a direction without moment, V has fallen by ``amount``.
+
+    The rough value is good to rounding of the angles; where little of it is left, the slope of V at the start gives a
+    better one. Newton's method does the rest.
+    """
+    distance = pick(abs(rough) > 0.001 * abs(start), rough, amount / slope(rest, start))
+    for _ in range(40):
+        force = slope(rest, start + distance)
+        step = (fall(rest, start, distance) - amount) / pick(force == 0, 1, force)
+        distance = pick(abs(distance - step) > pi, rough, distance - step)
+        if not any_of(abs(step) > spacing(distance) ** 0.6 * abs(distance)):
+            break
+    return distance
+
+
+def pass_turn(ground):
+    """From the highest hill to where the rod turns back at a clamp above the level of the ridge, beyond it."""
+    over, level, at = over_ridge(ground), ground.level, ground.at
+    down = over.well.angle - over.hill.angle
+    width = -at[4] if over.even else reach(over.hill, fall(over.far, 0, at[4]), down, 1)
+    gap = -onward(over.hill, level, ground.height, width - level)
+    return piece_of(over, "hill", "turn", 0, width, down - width, at[0] - width, gap, at)
+
+
+def level_clamp(ground):
+    """From the level of the ridge to the clamp."""
+    level, at = ground.level, ground.at
+    return piece_of(basin_of(ground, 0), "level", "clamp", level, at[0] - level, -at[1], 0, 0, at)
+
+
+def level_turn(ground):
+    """From the level of the ridge to where the rod turns back at the clamp, before the ridge."""
+    basin, level, at = basin_of(ground, 0), ground.level, ground.at
+    down = basin.well.angle - basin.hill.angle
+    above, below = -fall(basin.well, 0, at[1]), fall(basin.far, 0, at[2])
+    from_well = reach(basin.well, above, down, -1)
+    width = onward(basin.hill, level, below, down - level - from_well)
+    return piece_of(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
+
+
+def ranges(ground):
+    """Every range that a landscape of this kind can have: whether the rod has it, and its builder. From low to high."""
+    at = ground.at
+    if len(at) == 3:
+        return in_basin(at, 0, at[0] > 0, (first_clamp, first_turn))
+    if ground.scene.level:
+        first = in_basin(at, 0, (at[0] > 0) & (at[2] < 0), (first_clamp, first_turn))
+        return first + in_basin(at, 2, at[2] > 0, (last_clamp, last_turn))
+    before, above = at[2] <= 0, at[0] <= ground.level
+    last = (at[2] > 0) & (ground.height > 0)
+    return [
+        (before & above & (at[0] > 0), pass_clamp),
+        ((before & (at[0] > ground.level)) | last, pass_level),
+        ((at[2] > 0) & (ground.height <= 0), pass_turn),
+        *in_basin(at, 0, (at[0] > ground.level) & (at[2] < 0), (level_clamp, level_turn)),
+        *in_basin(at, 2, last, (last_clamp, last_turn)),
+    ]
+
+
+def pieces(beta, scene, clamp):
+    """All ranges of tip angles below the clamp angle."""
+    ground = ground_of(beta, scene, clamp)
+    return [build(ground) for here, build in ranges(ground) if here]
+
+
+class Delay(NamedTuple):
+    """By how much a motion lasts longer when the place goes deeper by one, where that is all that changes.
+
+    Near an end the rod is straight for long along the directions at which the motion nearly rests: at the tip, in the
+    middle, and at the far turning point. arrival: the share of ``middle`` before the first arrival.
+    """
+
+    deepest: float
+    tip: float
+    middle: float
+    far: float
+    arrival: float
+
+
+def slowness(hill):
+    """Length per unit of the logarithm of the distance from a hill; a flat one is never come near enough to count."""
+    return 1 / sqrt(hill.stiffness) if hill.stiffness > 0 else 0
+
+
+def ridge_offset(piece):
+    """Clamp less ridge, for a motion that passes the ridge."""
+    ridge, rest = piece.basin.axis, piece.clamp_rest
+    return piece.clamp_offset if rest.angle == ridge.angle else rest.angle - ridge.angle
+
+
+def delays(piece):
+    """The delays at both ends, beyond the depth at which squares of offsets would underflow."""
+    basin, depth = piece.basin, deepest(piece.width)
+    far = slowness(basin.far)
+    if piece.low_kind == "level":
+        return Delay(depth, 0, 0, far / 2, 0), Delay(inf, 0, 0, 0, 0)
+    low = Delay(depth, slowness(basin.hill), 0, far if basin.far_rise == 0 else 0, 0)
+    if piece.high_kind != "level":
+        return low, Delay(inf, 0, 0, 0, 0)
+    ridge = slowness(basin.axis)
+    behind = ridge_offset(piece)
+    return low, Delay(depth, 0, ridge, 0, ridge if behind > 0 else ridge / 2 if behind == 0 else 0)
+
+
+def within(sine):
+    """A sine that rounding may have brought beyond 1."""
+    return pick(sine < 1, sine, 1)
+
+
+def parallel_side(beta, piece, rise, drop, from_hill, depth):
+    """``far_side`` within a well for a field along the force: the cosines of the turning points add up to −2β/η."""
+    basin = piece.basin
+    if piece.low_kind == "level":
+        low, high = sin(rise / 2) * sin(piece.low_offset + rise / 2), beta / 0.0 + cos(from_hill / 2) ** 2
+    else:
+        low = sin(rise / 2) ** 2
+        low, high = beta / 0.0 + low, -beta / 0.0 - low
+    # sin² and cos² of half the distance from the far turning point to the far hill.
+    low, high = sqrt(larger(low, 0)), sqrt(larger(high, 0))
+    distance = 2 * atan2(low, high)
+    down = basin.far.angle - basin.far_well.angle
+    dip = sin(from_hill + depth / 2) * sin(depth / 2)
+    up = 2 * asin(within(dip / sin((down + distance) / 2)))
+    if piece.high_kind == "turn":
+        share = sin(from_hill + drop / 2) * sin(drop / 2) / sin((piece.far_gap + distance) / 2)
+        left = 2 * asin(within(share))
+    else:
+        left = up + piece.high_depth
+    return (up + depth) / 2, left, 0.0, distance
+
+
+def reach_either(hill, well, by_hill, amount, most):
+    """``reach`` down from the hill, or up from the well, whichever is asked for."""
+    rest = hill._replace(
+        stiffness=pick(by_hill, hill.stiffness, well.stiffness),
+        double_cosine=pick(by_hill, hill.double_cosine, well.double_cosine),
+        double_sine=pick(by_hill, hill.double_sine, well.double_sine),
+    )
+    return reach(rest, amount, most, pick(by_hill, -1, 1))
+
+
+def beyond_clamp(piece, drop, rough):
+    """How far the motion goes beyond the clamp, when the tip is ``drop`` below the one that turns there.
+
+    V falls by the same amount on both sides. The rough value is as good as its difference to the clamp's distance
+    from a hill or a well allows.
+    """
+    basin, rest, start = piece.basin, piece.clamp_rest, piece.clamp_offset
+    high = -piece.high_depth
+    amount = fall(basin.well, high - drop, drop)
+    return pick(rough > 0.25 * abs(start), rough, onward(rest, start, -amount, rough))
+
+
+def far_side(piece, rise, drop, depth, done):
+    """Half the width of the motion, how far it goes on beyond the clamp, and the moment where it turns."""
+    basin = piece.basin
+    hill, well, far, far_well = basin.hill, basin.well, basin.far, basin.far_well
+    down = far.angle - far_well.angle
+    if piece.low_kind == "level":
+        below = fall(hill, piece.low_offset, rise)
+    else:
+        below = basin.far_rise + fall(hill, 0, rise)
+    if basin.passes:
+        above = -fall(far_well, 0, down) - below
+    else:
+        above = -fall(well, 0, -depth)
+    by_hill = below < above
+    distance = reach_either(far, far_well, by_hill, pick(by_hill, below, above), down)
+    turn = pick(by_hill, down - distance, distance)  # far turning point − far_well
+    clamp_turn = down - piece.far_gap  # clamp − far_well
+    left = pick(by_hill, piece.far_gap - distance, distance - clamp_turn)
+    if basin.passes:
+        half_width = (turn + depth + (far_well.angle - well.angle)) / 2
+    else:
+        half_width = (turn + depth) / 2
+    far_moment = pick(by_hill, slope(far, -distance), slope(far_well, distance)) * -1
+    if piece.high_kind == "turn":
+        left = beyond_clamp(piece, drop, left)
+    return half_width, left, far_moment, pick(by_hill, distance, down - distance)
+
+
+def unevenness(near, far):
+    """√far − √near: by the roots, or by far − near = 2η sin 2(middle − α) sin(half_width) where that is less."""
+    return pick(near + far < 0.0, sqrt(far) - sqrt(near), 0.0)
+
+
+def wrapped(angle):
+    """The angle less whole turns, between −π and π."""
+    return angle - 2 * pi * floor(angle / (2 * pi) + 0.5)
+
+
+def above_field(basin, middle, half_width, height):
+    """``mean`` less η where they are near each other: 2(V(tip) − V)/(cos(θ − middle) − cos(half_width)) at the θ at
+    which it is least, which lies then near the ridge or the well."""
+    axis = basin.axis
+    shift = wrapped(2 * -middle)
+    offset = wrapped(middle + shift - axis.angle)
+    # As near the ridge as rounding it is nearer still: it is there to the second order in the height.
+    offset = pick(abs(offset) < 32 * spacing(offset), 0, offset)
+    outer, inner = sin(half_width / 2), sin(shift / 2)
+    return (height + fall(axis, 0, offset)) / pick(outer * outer == inner * inner, 1, outer * outer - inner * inner)
+
+
+def rates(beta, basin, tip, half_width, sine, near, far, height):
+    """dχ/dσ at the ends and in the middle of the motion."""
+    middle, cosine = tip + half_width, cos(half_width)
+    product = sqrt(near) * sqrt(far)
+    excess = -(2 * beta * cos(middle) * cosine)
+    mean = -(2 * beta * cos(middle))
+    apart = mean
+    close = above_field(basin, middle, half_width, height)
+    apart = pick(apart > 0.0, apart, close)
+    split = sine * sqrt(larger(apart * mean, 0) / pick(excess < 0, product - excess, 1))
+    return sqrt(product / 2), pick(excess < 0, split, sqrt(product + larger(excess, 0))) / 2
+
+
+def motion_at(beta, piece: Piece, place):
+    """The motion of the tip at a place of a piece: −∞ is its low end, +∞ its high end."""
+    basin = piece.basin
+    rise, drop = piece.width / (1 + exp(-place)), piece.width / (1 + exp(place))
+    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
+    upper = from_hill < depth
+    hill, well = basin.hill, basin.well
+    offset = pick(upper, from_hill, -depth)
+    stiffness = pick(upper, hill.stiffness, well.stiffness)
+    tip = pick(upper, hill.angle, well.angle) + offset
+    near_moment = moment_from_rest(stiffness, offset)
+    # How far V falls from the tip to the well, or to the level of a ridge that the motion passes.
+    change = (drop + piece.level_gap if basin.passes else depth) / 2
+    height = fall_from_rest(stiffness, offset + change, change)
+    done = piece.clamp_gap + drop
+    if basin.even:
+        half_width = depth + (basin.axis.angle - well.angle)
+        left = 2 * half_width - done if piece.high_kind != "turn" else drop
+        far_moment, far_distance = near_moment, from_hill
+    elif not basin.passes:
+        half_width, left, far_moment, far_distance = parallel_side(beta, piece, rise, drop, from_hill, depth)
+    else:
+        half_width, left, far_moment, far_distance = far_side(piece, rise, drop, depth, done)
+    # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
+    whole_turn = basin.far.quarters - hill.quarters == 4 and basin.far.extra == hill.extra
+    lack = (from_hill + far_distance) / 2 if whole_turn else pi - half_width
+    sine = sin(pick(lack < half_width, lack, half_width))
+    near, far = 2 * near_moment / sine, 2 * far_moment / sine
+    uneven = 0 if basin.even else unevenness(near, far)
+    # done/2 + left/2 = half_width: near half a turn one follows from the other.
+    done_sine = sin(pick(done > pi, lack + left / 2, done / 2))
+    left_sine = sin(pick(left > pi, lack + done / 2, left / 2))
+    end, middle = rates(beta, basin, tip, half_width, sine, near, far, height)
+    half_cosine = sin(lack / 2)
+    return Motion(
+        tip,
+        half_width,
+        done,
+        left,
+        near_moment,
+        far_moment,
+        near,
+        far,
+        end,
+        middle,
+        sine,
+        half_cosine,
+        uneven,
+        done_sine,
+        left_sine,
+    )
+
+
+def stay_at(beta, piece, ends, place):
+    """The motion of the tip at a place, however deep."""
+    low, high = ends
+    delay = low if place < 0 else high
+    depth = min(abs(place), delay.deepest)
+    more = abs(place) - depth
+    motion = motion_at(beta, piece, -depth if place < 0 else depth)
+    return Stay(motion, more * delay.tip, more * delay.middle, more * delay.far, more * delay.arrival)
+
+
+class Phase(NamedTuple):
+    """Where on its half-swing the motion meets the clamp.
+
+    The length from the tip is ∫dψ/√(a² cos²ψ + b² sin²ψ) from 0 to ψ, with a and b half of ``end`` and ``middle``; the
+    half-swing ends at ψ = π/2. whole, delta: what the speed there follows from.
+    """
+
+    square: float  # sin²ψ
+    rest: float  # cos²ψ
+    whole: float
+    delta: float
+
+
+def phase_of(motion):
+    """The phase of the clamp, from χ by the duplication of an elliptic argument (DLMF 22.6(iii))."""
+    near, far = sqrt(motion.near), sqrt(motion.far)
+    done, left = far * motion.done_sine, near * motion.left_sine
+    # left − done, where the motion is symmetric by the sines, and else by the difference of its ends.
+    ahead = 2 * near * motion.half_cosine * sin((motion.left - motion.done) / 4)
+    ahead = ahead - motion.uneven * motion.done_sine
+    whole = done + left
+    square, cosine = 4 * (done / whole) * (left / whole), ahead / whole
+    a, b = motion.end, motion.middle
+    delta = hypot(a * cosine, b * sqrt(square))
+    first = cosine >= 0
+    versine = pick(first, square / (1 + abs(cosine)), 1 - cosine)
+    along = pick(first, delta + a * cosine, b * b * square / (delta + a * abs(cosine)))
+    return Phase(a * versine / (a + delta), along / (a + delta), whole, delta)
+
+
+def lengths(a, b, square, rest):
+    """The complete and the incomplete integral of 1/√(a² cos²ψ + b² sin²ψ), by sin²ψ and cos²ψ.
+
+    Gauss's transformation makes a and b equal (DLMF 19.8(i), 19.8(iii)); it is written in sums of positive terms only.
+    """
+    limit, more = 2 * epsilon() ** 0.5, True
+    while more:
+        more = any_of(abs(a - b) > limit * a)
+        delta = sqrt(a * a * rest + b * b * square)
+        total, below = a + b, a + delta
+        inner = a + (a * a + b * b * square) / (delta + b * square)
+        scale = below * below
+        square, rest = total * total * square / scale, 2 * a * rest * inner / scale
+        a, b = total / 2, sqrt(a * b)
+    mean = (a + b) / 2
+    return pi / (2 * mean), atan2(sqrt(square), sqrt(rest)) / mean
+
+
+def times(motion):
+    """Half-swing, and the length from the tip to the clamp."""
+    phase = phase_of(motion)
+    return lengths(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
+
+
+class Sample(NamedTuple):
+    """Half-swing and first arrival at a place of a piece."""
+
+    place: float
+    swing: float
+    arrival: float
+
+
+def sample_at(beta, piece, ends, place):
+    """The sample at a place."""
+    stay = stay_at(beta, piece, ends, place)
+    swing, arrival = times(stay.motion)
+    return Sample(place, swing + stay.tip + stay.middle + stay.far, arrival + stay.tip + stay.arrival)
+
+
+def bends(first, second, third, length):
+    """Whether the curves bend so much at the second sample that a count may reach a whole number unseen beside it.
+
+    By how far the straight line through two samples misses the third.
+    """
+    share = (third.place - second.place) / (second.place - first.place)
+    swing = third.swing - second.swing - share * (second.swing - first.swing)
+    arrival = third.arrival - second.arrival - share * (second.arrival - first.arrival)
+    least = min(first.swing, second.swing, third.swing)
+    reach = (abs(arrival) + (length / least * abs(swing) if length > least else 0)) / (2 * least)
+    for sign in (1, -1):
+        for item in (first, second, third):
+            count = (length - sign * item.arrival) / (2 * item.swing)
+            whole = floor(count + 0.5)
+            if abs(count - whole) < reach and (whole > 0 or (whole == 0 and sign > 0)):
+                return True
+    return False
+
+
+def refined(sample, samples, length):
+    """More samples where half-swing or arrival bend between neighbours, as far as the rod's length is sensitive."""
+    done, todo = [samples[0]], samples[:0:-1]
+    while todo:
+        before, after = done[-1], todo[-1]
+        apart = after.place - before.place > 1.3
+        beside = [(done[-2], before, after)] if len(done) > 1 else []
+        beside += [(before, after, todo[-2])] if len(todo) > 1 else []
+        if apart and any(bends(one, two, three, length) for one, two, three in beside):
+            todo.append(sample((before.place + after.place) / 2))
+        else:
+            done.append(todo.pop())
+    return done
+
+
+def grid(beta, length, piece):
+    """Places to begin with: near enough where the branches bend, and to where none of them is as short as the rod."""
+    rounding = -log(epsilon())
+    slow = length * sqrt(beta)
+    first = -2 * slow - 6 if piece.low_kind == "level" else -slow - 6
+    first = min(first, -rounding) if piece.low_kind == "level" else first
+    if piece.high_kind == "level":
+        last = 2 * slow + rounding
+    elif piece.high_kind == "turn":
+        last = 2 * rounding
+    elif piece.high_depth == 0:
+        last = rounding
+    else:
+        # The tip of a stiff rod departs from the clamp angle by half the moment there times the length squared.
+        moment = abs(slope(piece.clamp_rest, piece.clamp_offset)) + epsilon() ** 20
+        last = max(rounding, 4 + log(2 * piece.width) - log(moment) - 2 * log(length))
+    inner = [0.0]
+    for side, end in ((-1, -first), (1, last)):
+        inner += [side * place for place in (1.25, 2.5, 5.0, 10.0) if place < end]
+        inner.append(side * end)
+    return sorted(inner)
+
+
+def end_sample(piece, last):
+    """The high end itself, where its times are known: arrival at once, or after the whole half-swing."""
+    if piece.high_kind == "clamp" and piece.clamp_gap == 0 and piece.high_depth > 0:
+        return Sample(last.place + 1e3, last.swing, 0 * last.swing)
+    if piece.high_kind == "turn":
+        return Sample(last.place + 1e3, last.swing, last.swing)
+    return None
+
+
+def between(one, other, count_one, count_other, beside):
+    """The whole numbers from the lower count up to, but not at, the higher one."""
+    low, high = (count_one, count_other) if count_one < count_other else (count_other, count_one)
+    return [(turns, one, other, beside) for turns in range(max(ceil(low), 0), max(ceil(high), 0))]
+
+
+def dip(sample, short, left, middle, right):
+    """The sample at which ``short`` is least between left and right by golden sections, or the first below zero."""
+    golden = (3 - sqrt(5)) / 2
+    value = short(middle)
+    while right.place - left.place > 2 * sqrt(epsilon()) * (1 + abs(middle.place)):
+        wide = right.place - middle.place > middle.place - left.place
+        end = right if wide else left
+        trial = sample(middle.place + golden * (end.place - middle.place))
+        new = short(trial)
+        if new < 0:
+            return trial
+        if new < value:
+            left, right = (middle, right) if wide else (left, middle)
+            middle, value = trial, new
+        elif wide:
+            right = trial
+        else:
+            left = trial
+    return middle
+
+
+def at_extremum(sample, triple, counts, length, sign):
+    """The two crossings beside an extremum of the count that reaches beyond a whole number its samples do not reach."""
+    left, middle, right = triple
+    before, here, after = counts
+    top = here > before
+    # The steeper neighbouring slopes, carried on, bound an extremum of a curve that bends one way.
+    reachable = here + (1 if top else -1) * max(abs(before - here), abs(after - here))
+    goal = ceil(here) if top else floor(here)
+    if (top and (goal > reachable or here == goal)) or (not top and goal < reachable) or goal < 0:
+        return []
+
+    def short(item):
+        count = (length - sign * item.arrival) / (2 * item.swing)
+        return goal - count if top else count - goal
+
+    best = dip(sample, short, left, middle, right)
+    if short(best) >= 0:
+        return []
+    return [(goal, left, best, right), (goal, best, right, left)]
+
+
+def brackets(sample, samples, counts, length, sign):
+    """(turns, sample, sample, a third) for every whole number that the count crosses between the two samples."""
+    found = []
+    for k in range(1, len(samples)):
+        beside = samples[k - 2] if k > 1 else samples[-1] if len(samples) == k + 1 else samples[k + 1]
+        found += between(samples[k - 1], samples[k], counts[k - 1], counts[k], beside)
+    for k in range(1, len(samples) - 1):
+        before, here, after = counts[k - 1 : k + 2]
+        if (before - here) * (after - here) > 0:
+            found += at_extremum(sample, samples[k - 1 : k + 2], (before, here, after), length, sign)
+    return found
+
+
+def excess(item, turns, sign, length):
+    """The length of a branch less the rod's."""
+    return (2 * turns * item.swing if turns else 0) + sign * item.arrival - length
+
+
+def interpolated(a, b, c, value_a, value_b, value_c):
+    """Where on the way from a to b inverse quadratic interpolation puts the zero, or half way where it is unsafe."""
+    if value_c == value_b or value_c == value_a:
+        return 0.5
+    x, y = (a - b) / (c - b), (value_a - value_b) / (value_c - value_b)
+    if x <= 0 or y * y >= x or (1 - y) * (1 - y) >= 1 - x:
+        return 0.5
+    share = value_a / (value_b - value_a) * value_c / (value_b - value_c)
+    return share + (c - a) / (b - a) * value_a / (value_c - value_a) * value_b / (value_c - value_b)
+
+
+def bracketed_root(function, places, values, blur):
+    """A sign change of the function between the first two places, to rounding, by Chandrupatla's method (1997).
+
+    The third place has a value, too. blur: a value that rounding may have made of zero.
+    """
+    (a, b, c), (value_a, value_b, value_c) = places, values
+    fraction = interpolated(a, b, c, value_a, value_b, value_c)
+    if not 0 < fraction < 1:
+        fraction = 0.5
+    while True:
+        trial = a + fraction * (b - a)
+        value = function(trial)
+        if (value > 0) == (value_a > 0):
+            c, value_c = a, value_a
+        else:
+            c, value_c, b, value_b = b, value_b, a, value_a
+        a, value_a = trial, value
+        best, value_best = (a, value_a) if abs(value_a) < abs(value_b) else (b, value_b)
+        least = 2 * epsilon() * (1 + abs(best)) / abs(b - a)
+        if least > 0.5 or abs(value_best) <= blur:
+            return best
+        fraction = min(1 - least, max(least, interpolated(a, b, c, value_a, value_b, value_c)))
+
+
+class Crossing(NamedTuple):
+    """A tip whose rod has the right length, on branch 2·turns·H + sign·t; ``rising``: the branch grows with the tip."""
+
+    place: float
+    turns: int
+    sign: int
+    rising: bool
+
+
+def crossing(sample, turns, sign, length, before, after, beside):
+    """The crossing between two samples on either side of it; a third one beside them helps to start."""
+
+    def function(place):
+        return excess(sample(place), turns, sign, length)
+
+    low, high = excess(before, turns, sign, length), excess(after, turns, sign, length)
+    third = excess(beside, turns, sign, length)
+    points = (before.place, after.place, beside.place), (low, high, third)
+    place = bracketed_root(function, *points, epsilon() * length)
+    return Crossing(place, turns, sign, high > low)
+
+
+def crossings(beta, length, piece, most):
+    """Every crossing of the rod's length on a piece whose index can be at most ``most``, as a list of Crossing."""
+    ends = delays(piece)
+
+    def sample(place):
+        return sample_at(beta, piece, ends, place)
+
+    # No half-swing is shorter than that of the stiffest pendulum.
+    signs = (1,) if length * sqrt(beta) < pi else (1, -1)
+    samples = refined(sample, [sample(place) for place in grid(beta, length, piece)], length)
+    end = end_sample(piece, samples[-1])
+    if end is not None:
+        samples.append(end)
+    found = []
+    for sign in signs:
+        counts = [(length - sign * item.arrival) / (2 * item.swing) for item in samples]
+        for turns, before, after, beside in brackets(sample, samples, counts, length, sign):
+            # At least 2·turns − 1 conjugate points, or one more on the branch that has gone on.
+            if (turns or sign > 0) and 2 * turns - (sign < 0) <= most:
+                found.append(crossing(sample, turns, sign, length, before, after, beside))
+    return found
+
+
+def index_of(crossing):
+    """Number of conjugate points of the free end on the rod (Sturm: one in each half-swing, and a last one or none).
+
+    h = ∂θ/∂θ_ℓ solves the second variation with h = 1, h′ = 0 at the tip; θ′ solves it too and vanishes once a
+    half-swing, so h vanishes once in each. Whether it has vanished in the last, unfinished one is told by the sign
+    of h at the clamp, which is against that of dθ/dσ times the slope of the branch.
+    """
+    swings = 2 * crossing.turns - (1 if crossing.sign < 0 else 0)
+    positive = crossing.rising != (crossing.sign > 0)
+    return swings if positive == (swings % 2 == 0) else swings + 1
+
+
+def lift_of(motion, square, rest):
+    """x + √(X₂X₃), which is small where the motion is nearly a whole turn."""
+    near, far = sqrt(motion.near), sqrt(motion.far)
+    turn = motion.uneven + 2 * near * motion.half_cosine * motion.half_cosine
+    return near * (turn + 2 * far * rest / square) / 8
+
+
+def rj_pair(x, product, root_sum, p, lift, less, twist):
+    """R_J(x, y, z, p) by duplication, for x ≥ 0, complex p, and y and z by √y√z and √y + √z.
+
+    lift, less, twist: p + √y√z, p − x and (p − x)(p − y)(p − z), which the rod gives without cancellation. Sums of
+    positive terms only in x, y, z. Where √p and −√y are near each other, their sum follows from their difference.
+    """
+    pair = root_sum * root_sum - 2 * product
+    mean = start = (x + pair + 2 * p) / 5
+    one, two = start - x, 2 * start - pair
+    both = start * start - start * pair + product * product
+    reach = abs(one) + abs(start - p) + sqrt(abs(both))
+    target = (epsilon() / 4) ** 0.125
+    scale, total = 1, 0
+    while any_of(reach > target * scale * abs(mean)):
+        root, root_p = sqrt(x), complex_sqrt(p)
+        side, across = root_p * root_sum, root * root_sum
+        plus, minus = lift + side, lift - side
+        cancels = (abs(plus) < abs(minus)) & (scale == 1)
+        d = (root_p + root) * pick(cancels, twist / (less * pick(cancels, minus, 1)), plus)
+        raised, lifted = lift + across, sqrt(x + product + across)
+        end = 2 * root_p * raised / d
+        total = total + arctan_share(twist / (scale * scale * scale * d * d), end) / (scale * d)
+        pair = root_sum * (root_sum + 2 * root) / 4
+        x, p = (x + product + across) / 4, raised / 4
+        product, root_sum = root_sum * lifted / 4, sqrt(root_sum * (root_sum + 2 * root + 2 * lifted)) / 2
+        lift, mean = p + product, (x + pair + 2 * p) / 5
+        scale *= 4
+    size = scale * mean
+    a, b, c = one / size, two / size, both / (size * size)
+    d = -(a + b) / 2
+    e2 = a * b + c - 3 * d * d
+    e3 = a * c + 2 * e2 * d + 4 * d * d * d
+    e4 = (2 * a * c + e2 * d + 3 * d * d * d) * d
+    e5 = a * c * d * d
+    low = -3 * e2 / 14 + e3 / 6 + 9 * e2 * e2 / 88 - 3 * e4 / 22 - 9 * e2 * e3 / 52 + 3 * e5 / 26
+    high = -e2 * e2 * e2 / 16 + 3 * e3 * e3 / 40 + 3 * e2 * e4 / 20 + 45 * e2 * e2 * e3 / 272
+    high = high - 9 * (e3 * e4 + e2 * e5) / 68
+    return (1 + low + high) / (scale * mean * complex_sqrt(mean)) + 6 * total
+
+
+def second_kind(a, b, square, rest, arrival):
+    """(b² − a²)∫sin²ψ over the same range as ``arrival``, the length, by the same transformation (DLMF 19.8.19)."""
+    limit, more, weight, total = 2 * epsilon() ** 0.5, True, 1, 0
+    while more:
+        more = any_of(abs(a - b) > limit * a)
+        delta = sqrt(a * a * rest + b * b * square)
+        total = total - weight * (a - b) * (a + b) * (arrival / 2 - sqrt(square * rest) / (a + delta))
+        sum_, below = a + b, a + delta
+        inner = a + (a * a + b * b * square) / (delta + b * square)
+        scale = below * below
+        square, rest = sum_ * sum_ * square / scale, 2 * a * rest * inner / scale
+        a, b, weight = sum_ / 2, sqrt(a * b), 2 * weight
+    return total
+
+
+def second_part(beta, motion, point, square, rest, extent):
+    """d℘/dσ·Re 1/(℘ − ℘(v)) less 2∫(℘ − e₁), by which η∫cos²(θ − α) is told from what does not grow along the rod."""
+    a, b = motion.end / 2, motion.middle / 2
+    strength, x = point.strength, point.pole
+    growth = beta * cos(motion.tip)
+    cubic = beta * sin(motion.tip)
+    first = motion.near * cos(motion.half_width) / 8
+    pair_sum = -growth / 4 - first
+    pair_product = strength * cubic / 4 - first * pair_sum
+    delta = sqrt(a * a * rest + b * b * square)
+    across = sqrt(square * rest)
+    root = sqrt(point.one)
+    far = 4 * delta * across / square - 2 * root * (1 + x * point.product / (x * x + strength * strength))
+    # Towards the tip the terms above are large and cancel; x² − x√(X₂X₃) is told by what X₂X₃ is in x.
+    gap = x * (x * pair_sum - pair_product) / (abs(x) + point.product)
+    near = 4 * (b - a) * (b + a) * across / delta
+    near = near + 2 * root * (strength * strength + gap) / (x * x + strength * strength)
+    kink = pick(x > 1, near, far)
+    return kink + 4 * second_kind(a, b, square, rest, extent) + 2 * (a * a - first) * extent
+
+
+def arc_to(beta, motion, point, square, rest, extent):
+    """The arc from the tip to a point, at ψ, of the given length."""
+    strength = point.strength
+    twist = complex_of(0.0, 0.0)
+    pole, less = complex_of(point.pole, -strength), complex_of(point.pole - point.one, -strength)
+    lift = complex_of(lift_of(motion, square, rest), -strength)
+    third = rj_pair(point.one, point.product, point.root_sum, pole, lift, less, twist)
+    excess = complex_of(0, 2 * strength / 3) * third
+    place = complex_of(cos(motion.tip), sin(motion.tip)) * (extent + excess)
+    kept = beta * cos(motion.tip) * extent - beta * place.real
+    return Arc(place.real, place.imag, kept - 2 * second_part(beta, motion, point, square, rest, extent))
+
+
+class Point(NamedTuple):
+    """A point of a motion by ℘ − c = x and ℘ − e at its three half-period values.
+
+    one: ℘ − e₁, with e₁ that of the far turning point. product, root_sum: √(℘ − e₂)√(℘ − e₃) and √(℘ − e₂) + √(℘ − e₃),
+    real also where e₂ and e₃ are a complex pair.
+    """
+
+    strength: float  # b
+    pole: float  # x
+    one: float
+    product: float
+    root_sum: float
+
+
+def far_point(motion):
+    """The far turning point."""
+    strength = motion.near_moment / 4
+    cosine = cos(motion.half_width)
+    return Point(strength, strength * cosine / motion.sine, 0, motion.end * motion.end / 4, motion.middle)
+
+
+def with_stays(arc, stay, middle, far, basin):
+    """An arc with the straight lengths along the directions at which the motion nearly rests."""
+    y, z, square = arc
+    for angle, extent in ((stay.motion.tip, stay.tip), (basin.axis.angle, middle), (basin.far.angle, far)):
+        y, z, square = y + extent * cos(angle), z + extent * sin(angle), square
+    return Arc(y, z, square)
+
+
+def clamp_point(motion, phase):
+    """The point where the motion meets the clamp."""
+    strength = motion.near_moment / 4
+    sine, cosine = motion.done_sine, cos(motion.done / 2)
+    one = strength * motion.left_sine / (sine * motion.sine)
+    product = sqrt(motion.near) * phase.delta * phase.whole / (8 * motion.end * sine)
+    a, b = motion.end, motion.middle
+    root_sum = sqrt((a * a * phase.rest + b * b * phase.square) / phase.square)
+    return Point(strength, strength * cosine / sine, one, product, root_sum)
+
+
+def bent_rod(rod, turns, piece, crossing, index):
+    """The equilibrium of a tip on its branch."""
+    beta, length = rod.beta, rod.length
+    stay = stay_at(beta, piece, delays(piece), crossing.place)
+    motion, basin = stay.motion, piece.basin
+    phase = phase_of(motion)
+    swing, arrival = times(motion)
+    whole = Arc(0, 0, 0)  # not asked for within the first half-swing
+    if crossing.turns:
+        whole = arc_to(beta, motion, far_point(motion), 1, 0, swing)
+        whole = with_stays(whole, stay, stay.middle, stay.far, basin)
+    part = arc_to(beta, motion, clamp_point(motion, phase), phase.square, phase.rest, arrival)
+    part = with_stays(part, stay, stay.arrival, 0, basin)
+    both, sign = 2 * crossing.turns, crossing.sign
+    y, z, square = (float(both * a + sign * b) for a, b in zip(whole, part, strict=True))
+    speed = phase.delta * phase.whole / (motion.end * motion.sine)
+    speed = speed * sqrt(2 * motion.done_sine * motion.left_sine)
+    gamma = 2 * beta * cos(motion.tip)
+    energy = gamma * length / 2 - 2 * beta * y - square
+    scale = rod.scale
+    total = swing + stay.tip + stay.middle + stay.far
+    return Equilibrium(
+        rod.side * (motion.tip + 2 * pi * turns),
+        -rod.side * sign * ldexp(speed, scale),
+        ldexp(gamma, 2 * scale),
+        ldexp(y, -scale),
+        rod.side * ldexp(z, -scale),
+        ldexp(energy, scale),
+        index,
+        rod,
+        Swing(stay, turns, total, whole, basin.axis.angle, basin.far.angle),
+    )
+
+
+def below(rod, most):
+    """The equilibria with tips below the clamp angle, from the lowest up; tips may be nearer than rounding."""
+    beta = rod.beta
+    scene = landscape(beta)
+    clamp = clamp_in(scene.rests, rod.clamp_angle)
+    found = []
+    for piece in pieces(beta, scene, clamp):
+        if not piece.width > 0:  # the clamp angle is at the level of the ridge, to rounding
+            continue
+        here = crossings(beta, rod.length, piece, most)
+        for crossing in sorted(here, key=lambda item: item.place):
+            index = index_of(crossing)
+            if index <= most:
+                found.append(bent_rod(rod, clamp.turns, piece, crossing, index))
+    return found
+
+
+def direction(rest):
+    """cos and sin of a direction, exact for whole quarter turns."""
+    cosine, sine = cos(rest.extra), sin(rest.extra)
+    for _ in range(rest.quarters % 4):
+        cosine, sine = -sine, cosine
+    return cosine, sine
+
+
+def length_of(rod):
+    """The length of a rod in the user's units."""
+    return ldexp(rod.length, -rod.scale)
+
+
+def straight_rod(rod, rest):
+    """The rod that stays straight, for its clamp angle is a direction without moment."""
+    cosine, sine = direction(rest)
+    gamma = 2 * rod.beta * cosine
+    soft = -rest.stiffness
+    index = floor(rod.length * sqrt(soft) / pi + 0.5) if soft > 0 else 0
+    energy = -(rod.beta * cosine) * rod.length
+    length = length_of(rod)
+    return Equilibrium(
+        rod.side * rod.clamp_angle,
+        0 * length,
+        ldexp(gamma, 2 * rod.scale),
+        cosine * length,
+        rod.side * sine * length,
+        ldexp(energy, rod.scale),
+        index,
+        rod,
+        None,
+    )
+
+
+def straight(rod, most):
+    """The straight equilibrium, if the clamp angle is a direction without moment."""
+    scene = landscape(rod.beta)
+    offsets = clamp_in(scene.rests, rod.clamp_angle).offsets
+    found = [straight_rod(rod, rest) for rest, offset in zip(scene.rests, offsets, strict=True) if offset == 0]
+    return [item for item in found if item.index <= most]
+
+
+def all_equilibria(beta, length, clamp_angle, max_index):
+    """Every equilibrium, sorted by tip angle: from the tips below the clamp angle, above it, and the straight rod."""
+    if beta == 0:
+        return [idle_rod(beta, length, clamp_angle)]
+    most = inf if max_index is None else max_index
+    scale = frexp(beta)[1] // 2
+    rod = Rod(ldexp(beta, -2 * scale), ldexp(length, scale), clamp_angle, 1, scale)
+    mirrored = Rod(rod.beta, rod.length, -clamp_angle, -1, scale)
+    return [*below(rod, most), *straight(rod, most), *below(mirrored, most)[::-1]]
 
 
 def integer(name: str, value: Any) -> int:
@@ -399,411 +1304,588 @@ def index_limit(max_index):
     return limit
 
 
-class Clamp(NamedTuple):
-    """The clamp angle θ(0) in [0, 2π), and what stays precise near the special angles."""
-
-    angle: float
-    rest: float  # π − θ(0)
-    fold: float  # the smaller of θ(0) and 2π − θ(0)
-    one_plus: float  # 1 + cos θ(0)
-    one_minus: float  # 1 − cos θ(0)
-    drive: float  # β + η cos θ(0)
-    gap: float  # η(1 − cos θ(0)) − 2β
-
-
-def settled(value):
-    """A value that changes with η cos θ(0), or 0 where no angle within rounding of the clamp angle tells it from 0."""
-    return 0 if abs(value) <= 0.0 else value
-
-
-def clamp_at(beta, angle, rest, offset, from_side):
-    """The clamp at an offset from π (from_side) or from 0."""
-    small, large = 2 * sin(offset / 2) ** 2, 2 * cos(offset / 2) ** 2
-    if from_side:
-        side = side_moment(beta)
-        drive, gap = moment_from_side(side, small), gap_from_side(side, small)
-        return Clamp(angle, rest, pi - offset, small, large, settled(drive), settled(gap))
-    drive, gap = moment_from_top(beta, small), tip_gap(beta, small)
-    return Clamp(angle, rest, offset, large, small, settled(drive), settled(gap))
+def phase_at(a, b, length):
+    """sin²ψ and cos²ψ at a length from the tip within the half-swing: the transformation undone."""
+    limit = 2 * epsilon() ** 0.5
+    steps = [(a, b)]
+    while any_of(abs(a - b) > limit * a):
+        a, b = (a + b) / 2, sqrt(a * b)
+        steps.append((a, b))
+    a, b = (a + b) / 2, sqrt(a * b)
+    mean = (a + b) / 2
+    quarter = pi / (2 * mean)
+    first = 2 * length <= quarter
+    small = sin(mean * pick(first, length, quarter - length))
+    small = small * small
+    square, rest = pick(first, small, 1 - small), pick(first, 1 - small, small)
+    for a, b in reversed(steps):
+        gap = a - b
+        below = pick(gap > 0, a + b + gap * square, 2 * a - gap * rest)
+        wide = 4 * a * b + gap * gap * rest
+        square, rest = 4 * a * a * square / (below * below), rest * wide / (below * below)
+    return square, rest
 
 
-def clamp_of(beta, clamp_angle):
-    """Whole turns and the clamp within [0, 2π); an angle that rounds to a multiple of π is that multiple."""
-    half_turns = floor(clamp_angle / pi + 0.5)
-    rest = half_turns * pi - clamp_angle
-    # Also an angle whose square would be lost: it bends the rod by less than any number here can tell.
-    if abs(rest) <= max(epsilon() * abs(clamp_angle), epsilon() ** 3):
-        rest = 0
-    if half_turns % 2:
-        return (half_turns - 1) / 2, clamp_at(beta, pi - rest, rest, abs(rest), True)
-    if rest <= 0:
-        return half_turns / 2, clamp_at(beta, -rest, pi + rest, -rest, False)
-    return half_turns / 2 - 1, clamp_at(beta, 2 * pi - rest, rest - pi, rest, False)
+def point_at(motion, square, rest):
+    """The point at ψ by sin²ψ and cos²ψ, and half the angle from the tip to it.
+
+    By cos χ, from the duplication of the argument (DLMF 22.6(iii)), in forms that lose nothing where the motion is
+    nearly a whole turn.
+    """
+    a, b = motion.end / 2, motion.middle / 2
+    near, far = sqrt(motion.near), sqrt(motion.far)
+    strength = motion.near_moment / 4
+    delta = sqrt(a * a * rest + b * b * square)
+    one = a * a * a * a * rest / (square * delta * delta)
+    flat = (b / a) * (b / a) * square
+    scale = rest * (1 + square) + flat * square
+    turned = (rest * rest - flat * square) / scale
+    versine = 2 * square * (rest + flat) / scale
+    bent = (rest * rest + flat * (1 + rest)) / scale
+    tilt = motion.uneven + turned * (near + far)
+    sine, cosine = sin(motion.half_width / 2), motion.half_cosine
+    level = near * versine + far * (1 + turned)
+    first = 2 * sine * cosine * near * versine
+    first_level = cosine * cosine * level + sine * sine * tilt
+    second = 4 * sine * cosine * far * rest / scale
+    second_level = cosine * cosine * level - sine * sine * tilt
+    low = first / sqrt(first * first + first_level * first_level)
+    high = second / sqrt(second * second + second_level * second_level)
+    product = near * bent * (far * low + near * high) / (8 * low)
+    pole = strength * first_level / first
+    return Point(strength, pole, one, product, 2 * delta / sqrt(square)), atan2(first, first_level)
 
 
-def straight_index(beta, xi, length):
-    """Number of conjugate points on a straight rod: zeros of cos(√k σ) on it, for h″ + kh = 0."""
-    stiffness = straight_stiffness(beta, xi)
-    if stiffness <= 0:
-        return 0
-    return floor(length * sqrt(stiffness) / pi + 0.5)
+def regular_part(rod, motion, length):
+    """θ, dθ/dσ and the arc by the motion alone."""
+    if length <= 0:
+        return motion.tip, 0 * length, Arc(0, 0, 0)
+    square, rest = phase_at(motion.end / 2, motion.middle / 2, length)
+    point, half = point_at(motion, square, rest)
+    arc = arc_to(rod.beta, motion, point, square, rest, length)
+    # dx/dσ = −2√X₁X₂X₃ and x = b cot(δ/2).
+    low = sin(half)
+    speed = 4 * sqrt(point.one) * point.product * low * low / point.strength
+    return motion.tip + 2 * half, speed, arc
 
 
-def straight_rod(beta, length, clamp_angle, turns, clamp):
-    """The rod that stays straight: its clamp angle is an equilibrium direction, or nothing acts on it."""
-    xi = clamp.one_plus - 1
-    gamma = tip_gamma(beta, xi)
-    sine = 0 if clamp.rest == 0 or clamp.angle == 0 else sin(clamp_angle)
-    energy = rod_energy(beta, gamma, length, xi * length)
-    rod = Rod(beta, length, turns, False)
-    index = straight_index(beta, xi, length)
-    return Equilibrium(clamp_angle, 0, gamma, xi * length, sine * length, energy, index, rod, None)
+def within_swing(rod, swing, length):
+    """θ, dθ/dσ and the arc at a length from the tip within the first half-swing.
+
+    Where the motion stays near its tip, its middle or its far turning point, the rod is straight.
+    """
+    stay, motion = swing.stay, swing.stay.motion
+    regular = swing.length - stay.tip - stay.middle - stay.far
+    tip = min(length, stay.tip)
+    rest = length - tip
+    before = min(rest, regular / 2) if stay.middle > 0 else min(rest, regular)
+    middle = min(rest - before, stay.middle)
+    here = min(before + max(rest - before - middle, 0), regular)
+    far = max(rest - middle - here, 0)
+    angle, speed, arc = regular_part(rod, motion, here)
+    for straight, extent in ((motion.tip, tip), (swing.middle_angle, middle), (swing.far_angle, far)):
+        if extent > 0:
+            arc = Arc(arc.y + extent * cos(straight), arc.z + extent * sin(straight), arc.square)
+    return angle, speed, arc
 
 
-def mirror_image(clamp):
-    """The clamp of the rod seen from the other side of the y axis."""
-    return clamp._replace(angle=2 * pi - clamp.angle, rest=-clamp.rest)
+def angle_and_position(equilibrium, s):
+    """θ, θ′, y and z at an arc length s from the clamp."""
+    rod, swing = equilibrium.rod, equilibrium.swing
+    if swing is None:
+        share = s / ldexp(rod.length, -rod.scale)
+        return equilibrium.tip_angle + 0 * s, 0 * s, equilibrium.y * share, equilibrium.z * share
+    sigma = rod.length - ldexp(s, rod.scale)
+    count = floor(sigma / swing.length)
+    within = sigma - count * swing.length
+    back = count % 2 == 1
+    angle, speed, arc = within_swing(rod, swing, swing.length - within if back else within)
+    times = count + 1 if back else count
+    sign = -1 if back else 1
+    y = equilibrium.y - ldexp(times * swing.arc.y + sign * arc.y, -rod.scale)
+    z = equilibrium.z - rod.side * ldexp(times * swing.arc.z + sign * arc.z, -rod.scale)
+    return rod.side * (angle + 2 * pi * swing.turns), -rod.side * sign * ldexp(speed, rod.scale), y, z
 
 
-class Piece(NamedTuple):
-    """A range of tip angles below the clamp angle in which the rod's motion is of one kind.
+def period_of(equilibrium):
+    """The period of θ in the length from the tip, and what y + iz changes by over it; 0 where the rod is shorter."""
+    rod, swing = equilibrium.rod, equilibrium.swing
+    if rod.length <= 2 * swing.length:
+        return 0.0, 0.0
+    return 2 * swing.length, -2 * ldexp(1.0, -rod.scale) * complex(swing.arc.y, rod.side * swing.arc.z)
 
-    Seen from the tip, θ starts at rest at an angle between low and low + width, and rises to the clamp angle;
-    ``passes`` tells whether it goes on through π. The kinds name the ends: 'top' (θ = 0, the direction of the
-    force), 'side' (θ = π), 'level' (the orbit that just reaches π), 'clamp' (the clamp angle itself), 'turn' (the
-    angle whose orbit turns at the clamp), 'rest' (the clamp, where that is an equilibrium direction).
+
+class State(NamedTuple):
+    """What the series of a bin starts from: angle, its slope by the length from the tip, and y + iz."""
+
+    angle: Any
+    slope: Any
+    place: Any
+
+
+def angle_and_slope(rod, swing, length):
+    """θ and its slope at a length from the tip on a rod without stays, which cost much less than y and z."""
+    motion = swing.stay.motion
+    count = floor(length / swing.length)
+    within, sign = length - count * swing.length, rod.side
+    if count % 2:
+        within, sign = swing.length - within, -rod.side
+    if within <= 0:
+        return rod.side * (motion.tip + 2 * np.pi * swing.turns), 0.0
+    square, rest = phase_at(motion.end / 2, motion.middle / 2, within)
+    point, half = point_at(motion, square, rest)
+    cotangent = point.pole / point.strength
+    slope = 4 * sqrt(point.one) * point.product / (point.strength * (1 + cotangent * cotangent))
+    return rod.side * (motion.tip + 2 * half + 2 * np.pi * swing.turns), sign * slope
+
+
+def state_of(equilibrium, length, position):
+    """The state at a length from the tip."""
+    rod, stay = equilibrium.rod, equilibrium.swing.stay
+    if position or stay.tip + stay.middle + stay.far > 0:
+        angle, curvature, y, z = angle_and_position(equilibrium, ldexp(rod.length - length, -rod.scale))
+        return State(angle, -ldexp(curvature, -rod.scale), complex(y, z))
+    return State(*angle_and_slope(rod, equilibrium.swing, length), 0)
+
+
+def straight_ranges(state_at, count, turn):
+    """Ranges of bins at whose ends, and at turning points within, θ is the same to rounding: between them it is
+    monotone, therefore constant."""
+    ranges, todo = [], [(0, count)]
+    while todo:
+        low, high = todo.pop()
+        angles = [state_at(bins).angle for bins in (low, turn, 2 * turn, high) if low <= bins <= high]
+        if max(angles) - min(angles) <= 2.0**-53 * max(1.0, abs(angles[0])):
+            ranges.append((low, high))
+        elif high - low > COARSE:
+            todo += [(low, (low + high) // 2), ((low + high) // 2, high)]
+    return ranges
+
+
+def states(equilibrium, width, count, position):
+    """The states in the middles of the bins, and which bins are straight: between the ends of straight ranges θ is
+    constant, to rounding, and the place is linear."""
+    known = {}
+
+    def state_at(bins):
+        if bins not in known:
+            known[bins] = state_of(equilibrium, bins * width, position)
+        return known[bins]
+
+    middles = np.arange(count) + 0.5
+    straight = np.zeros(count, dtype=bool)
+    angle, slope, place = np.empty(count), np.zeros(count), np.empty(count, dtype=complex)
+    for low, high in straight_ranges(state_at, count, equilibrium.swing.length / width) if count > SHORT else []:
+        first, last, inside = state_at(low), state_at(high), slice(low, high)
+        share = (middles[inside] - low) / (high - low)
+        straight[inside], angle[inside] = True, (first.angle + last.angle) / 2
+        place[inside] = first.place + share * (last.place - first.place)
+    for bins in np.flatnonzero(~straight).tolist():
+        angle[bins], slope[bins], place[bins] = state_at(bins + 0.5)
+    return State(angle, slope, place), straight
+
+
+def with_mirror(equilibrium, state):
+    """States on both sides of the tip: θ is even there, and the arc is odd."""
+    tip = complex(equilibrium.y, equilibrium.z)
+    return State(
+        np.concatenate((state.angle[::-1], state.angle)),
+        np.concatenate((-state.slope[::-1], state.slope)),
+        np.concatenate((2 * tip - state.place[::-1], state.place)),
+    )
+
+
+def series(rod, state, degree):
+    """The coefficients of θ and of y + iz about states: θ″ = β sin θ + (η/2) sin 2(θ − α), and y′ + iz′ = e^{iθ}."""
+    shape = (degree + 1, len(state.angle))
+    angle, turned = np.zeros(shape), np.zeros(shape)
+    once, twice, place = (np.zeros(shape, dtype=complex) for _ in range(3))
+    angle[0], angle[1], turned[1] = state.angle, state.slope, state.slope
+    once[0] = np.exp(1j * state.angle)
+    twice[0] = np.exp(2j * state.angle)
+    place[0] = state.place
+    for n in range(degree):
+        if n:
+            # d/dσ e^{iθ} = iθ′e^{iθ}, by powers.
+            once[n] = 1j / n * (turned[1 : n + 1] * once[n - 1 :: -1]).sum(axis=0)
+            twice[n] = 2j / n * (turned[1 : n + 1] * twice[n - 1 :: -1]).sum(axis=0)
+        if n + 2 <= degree:
+            turned[n + 2] = rod.beta * once[n].imag / (n + 1)
+            angle[n + 2] = turned[n + 2] / (n + 2)
+        place[n + 1] = -ldexp(1.0, -rod.scale) * once[n] / (n + 1)
+    return angle, place
+
+
+def negligible():
+    """What a term may be, in radians or lengths, to be left out: an eighth of the spacing of numbers just below 1."""
+    return 2.0**-56
+
+
+def complete_series(rod, state, half):
+    """Series of which the last two terms are negligible up to half a bin from its middle; None if they are too long.
+
+    What is left out decreases faster than by halves, so it is no more than these.
+    """
+    for degree in range(2 - int(56 / log2(half)), LONGEST + 1, 6):
+        angle, place = series(rod, state, degree)
+        last = abs(np.concatenate((degree * angle[-2:], ldexp(1.0, rod.scale) * place[-2:]), axis=1)).max(axis=1)
+        if max(last[0] * half ** (degree - 1), last[1] * half**degree) <= negligible():
+            return angle, place
+    return None
+
+
+class Bins(NamedTuple):
+    """Series of equal bins of which the first begins at ``start`` bins from the tip.
+
+    angle, place: coefficients, by power and bin. straight: the bins in which θ is constant to rounding.
     """
 
-    low: float
     width: float
-    high_rest: float  # π − high
-    low_kind: str
-    high_kind: str
-    passes: bool
+    start: int
+    straight: Any
+    angle: Any
+    place: Any
 
 
-def pieces(clamp):
-    """All ranges of tip angles below the clamp angle from which the rod can rise to it.
+def bins_of(equilibrium, position):
+    """The bins of a rod: over its length, or over a period about the tip where the rod is longer than that.
 
-    With V(θ) = β cos θ + ½η cos²θ, a tip at rest at φ reaches the clamp only if V(φ) is not below V anywhere
-    between; those φ fill the ranges below. There is one well of V when η ≤ β and there are two, parted by θ = π,
-    when η > β.
+    Their places are worth nothing without ``position``.
     """
-    kind = "clamp" if clamp.rest > 0 else "turn" if clamp.rest < 0 else "rest"
-    whole = Piece(0, clamp.fold, abs(clamp.rest), "top", kind, True)
-    return [whole]
+    mirrored = period_of(equilibrium)[0] > 0
+    reach = equilibrium.swing.length if mirrored else equilibrium.rod.length
+    width, series = 0.5, None
+    while series is None:
+        count = int(reach / width) + 1
+        state, straight = states(equilibrium, width, count, position)
+        if mirrored:
+            state, straight = with_mirror(equilibrium, state), np.concatenate((straight[::-1], straight))
+        series = complete_series(equilibrium.rod, state, width / 2)
+        found = width
+        width /= 2
+    return Bins(found, -count if mirrored else 0, straight, *series)
 
 
-def grid(beta, length, clamp, piece):
-    """Places that part the branches finely: half a unit in the logarithm of the distance to either end.
+def cells_for(equilibrium, bins, points):
+    """Into how many cells bins may be divided for runs to be long enough; 0 where not even bins are."""
+    if np.any(bins.straight):
+        return 0
+    average = points * bins.width / equilibrium.rod.length
+    return max((cells for cells in (1, 2, 4) if average / cells >= ENOUGH * cells), default=0)
 
-    At the top and at the side the rod is too long beyond the first place. At the other ends one far place stands
-    for the end itself: the branches tend to it steadily.
+
+def divided(coefficients, half, cells, terms):
+    """Series about the middles of equal cells of bins, by power and cell, in a place between −1 and 1.
+
+    half: half the width of a bin. terms: how many terms are wanted, of all that the series have.
     """
-    rounding = 2 - log(epsilon())
-    slow = length * sqrt(beta)
-    first = -slow - 4
-    last = rounding
-    if piece.high_kind == "level":
-        last += slow
-    elif piece.high_kind != "rest":
-        # The tip of a stiff rod departs from the clamp angle by half the moment there times the length squared.
-        moment = abs(clamp.drive) * sqrt(clamp.one_plus * clamp.one_minus)
-        last = max(rounding, 4 + log(2 * piece.width) - log(moment) - 2 * log(length))
-    places = [first + 0.5 * k for k in range(ceil(2 * (last - first)) + 1)]
-    before = [first - 2 * rounding - slow] if piece.low_kind == "level" else []
-    after = [places[-1] + 2 * rounding + slow] if piece.high_kind != "rest" else []
-    return [*before, *places, *after]
+    size, part = len(coefficients), half / cells
+    middles = (2 * np.arange(cells) + 1 - cells) * part
+    powers = np.zeros((size, terms, cells))
+    powers[0, 0] = 1
+    for k in range(1, size):
+        # (middle + part·x)^k, by powers of x.
+        powers[k] = middles * powers[k - 1]
+        powers[k, 1:] += part * powers[k - 1, :-1]
+    rows = np.zeros((coefficients.shape[1], terms * cells))
+    # The smallest terms first.
+    for coefficient, power in zip(coefficients[::-1], powers[::-1], strict=True):
+        rows += coefficient[:, None] * power.reshape(1, -1)
+    return rows.reshape(-1, terms, cells).transpose(1, 0, 2).reshape(terms, -1)
 
 
-class Roots(NamedTuple):
-    """The values e₁ > e₂ ≥ e₃ of ℘ at its half-periods as gaps, and which roots of f they belong to.
+def chebyshev(size):
+    """Powers by Chebyshev polynomials and these by powers, a row for each (DLMF 18.9.1)."""
+    of_powers, of_chebyshev = np.eye(size), np.eye(size)
+    for n in range(1, size - 1):
+        # xT_k = (T_{k+1} + T_{k−1})/2, and xT_0 = T_1.
+        of_powers[n + 1] = 0
+        of_powers[n + 1, 1:] = of_powers[n, :-1] / 2
+        of_powers[n + 1, 1] += of_powers[n, 0] / 2
+        of_powers[n + 1, :-1] += of_powers[n, 1:] / 2
+        of_chebyshev[n + 1] = -of_chebyshev[n - 1]
+        of_chebyshev[n + 1, 1:] += 2 * of_chebyshev[n, :-1]
+    return of_powers, of_chebyshev
 
-    ``order`` has a letter for each of e₁, e₂, e₃: '+' for ξ = 1, '-' for ξ = −1, 'o' for the other root of f̂.
+
+def shortened(coefficients, allowed):
+    """Polynomials, a column each, of least degree that differ from the given ones by no more than allowed in [−1, 1].
+
+    Chebyshev polynomials are at most 1 there, so those of high degree go as long as their coefficients sum to less.
+    """
+    of_powers, of_chebyshev = chebyshev(len(coefficients))
+    parts = of_powers.T @ coefficients
+    tails = np.cumsum(abs(parts[::-1]), axis=0).max(axis=1)
+    kept = max(2, len(parts) - int(np.searchsorted(tails, allowed, side="right")))
+    return of_chebyshev[:kept, :kept].T @ parts[:kept]
+
+
+def quarter():
+    """A quarter of the spacing of numbers at 1: how far a value may be from what the series of a bin gives."""
+    return 2.0**-54
+
+
+def series_of(rod, bins, cells, position):
+    """The coefficients by cell, highest power first, of θ, θ′, y and z in a place between −1 and 1.
+
+    They are right to a quarter of the spacing of numbers at 1, in rod lengths for y and z.
+    """
+    half = bins.width / 2
+    places = (bins.place.real, bins.place.imag) if position else ()
+    angle, *parts = (divided(part, half, cells, len(part)) for part in (bins.angle, *places))
+    slope = -ldexp(cells / half, rod.scale) * np.arange(1, len(angle))[:, None] * angle[1:]
+    parts = [angle, slope, *parts]
+    length = ldexp(max(1.0, rod.length), -rod.scale)
+    units = 1.0, ldexp(1.0, rod.scale), length, length
+    return [shortened(part, quarter() * unit)[::-1].T.tolist() for part, unit in zip(parts, units, strict=False)]
+
+
+class Run(NamedTuple):
+    """Points first to last − 1, which lie in a cell, periods beyond the tip's. middle: length from the tip."""
+
+    first: int
+    last: int
+    cell: int
+    periods: int
+    middle: float
+
+
+def runs_of(equilibrium, bins, width, s):
+    """The runs of points within a cell and a period."""
+    rod, count = equilibrium.rod, round(len(bins.straight) * bins.width / width)
+    start, period = bins.start * bins.width / width, period_of(equilibrium)[0]
+    edges = (start + np.arange(count + 1)) * width
+    reached = int(rod.length / period + 0.5) + 1 if period else 1
+    if period:
+        edges = np.clip(edges, -period / 2, period / 2)
+    runs = []
+    for periods in range(reached):
+        # From the tip on, s falls.
+        ends = np.searchsorted(s, np.ldexp(rod.length - period * periods - edges, -rod.scale), side="right").tolist()
+        for cell in np.flatnonzero(np.diff(ends)).tolist():
+            middle = period * periods + (start + cell + 0.5) * width
+            runs.append(Run(ends[cell + 1], ends[cell], cell, periods, middle))
+    return runs
+
+
+def sum_run(coefficients, shift, within, out):
+    """Horner's scheme with the highest power first, and a shift."""
+    np.multiply(within, coefficients[0], out=out)
+    for coefficient in coefficients[1:-1]:
+        out += coefficient
+        out *= within
+    out += coefficients[-1] + shift
+
+
+def by_runs(equilibrium, bins, cells, s, position):
+    """θ, θ′, y and z at s, which is in rising order; y and z are None without ``position``."""
+    rod = equilibrium.rod
+    width = bins.width / cells
+    rows = series_of(rod, bins, cells, position)
+    advance = period_of(equilibrium)[1]
+    advances = (0.0, 0.0, advance.real, advance.imag)
+    results = [np.empty(s.size) for _ in rows]
+    spare = np.empty(RUN_BLOCK)
+    for run in runs_of(equilibrium, bins, width, s):
+        for first in range(run.first, run.last, RUN_BLOCK):
+            block = slice(first, min(first + RUN_BLOCK, run.last))
+            within = spare[: block.stop - first]
+            np.multiply(s[block], -ldexp(2 / width, rod.scale), out=within)
+            within += (rod.length - run.middle) * (2 / width)
+            for result, row, step in zip(results, rows, advances, strict=False):
+                sum_run(row[run.cell], run.periods * step, within, result[block])
+    return results if position else [*results, None, None]
+
+
+def in_cells(bins, coefficients, cells):
+    """The series of all cells, with two terms more than what is wanted; a straight bin is one cell."""
+    terms, half = ANGLE_DEGREE + 3, bins.width / 2
+    bent = divided(coefficients[:, ~bins.straight], half, cells, terms)
+    if not np.any(bins.straight):
+        return bent
+    whole = np.repeat(bins.straight, np.where(bins.straight, 1, cells))
+    series = np.empty((terms, len(whole)))
+    series[:, ~whole] = bent
+    series[:, whole] = divided(coefficients[:, bins.straight], half, 1, terms)
+    return series
+
+
+def cut(coefficients, degree):
+    """Polynomials, a column each, of a degree, near the given ones in [−1, 1]; by how much at most they and their
+    slopes differ: T_n is at most 1 there, and its slope at most n²."""
+    of_powers, of_chebyshev = chebyshev(len(coefficients))
+    parts, kept = of_powers.T @ coefficients, degree + 1
+    rest, orders = abs(parts[kept:]), np.arange(kept, len(parts))
+    return of_chebyshev[:kept, :kept].T @ parts[:kept], np.max(rest.sum(axis=0)), np.max((orders * orders) @ rest)
+
+
+def short_series(rod, bins, cells, position):
+    """The series of all cells in a place between −1 and 1; None if they are not right to a quarter spacing."""
+    angle = in_cells(bins, bins.angle, cells)
+    # In a straight cell, which is wider, the slope is right by the width of the others; θ there changes by nothing.
+    angle[1:, np.repeat(bins.straight, np.where(bins.straight, 1, cells))] /= cells
+    angle, _, error = cut(angle, ANGLE_DEGREE)
+    if error > quarter() * bins.width / (2 * cells):
+        return None
+    if not position:
+        return [angle]
+    (y, y_error, _), (z, z_error, _) = (
+        cut(in_cells(bins, part, cells), PLACE_DEGREE) for part in (bins.place.real, bins.place.imag)
+    )
+    allowed = quarter() * ldexp(max(1.0, rod.length), -rod.scale)
+    return [angle, y, z] if max(y_error, z_error) <= allowed else None
+
+
+class Table(NamedTuple):
+    """Short power series in cells, for θ, y and z: four low coefficients by row, and the high ones.
+
+    period: of θ in the length from the tip, or 0 where the cells cover the rod. advance: y + iz over a period.
+    per_bin: first row and number of cells of each bin, where those differ; else None. slope: θ′ per change in a cell.
     """
 
-    order: str
-    long_gap: float  # e₁ − e₃
-    short_gap: float  # e₁ − e₂
+    start: float
+    cells: float
+    per_bin: Any
+    rows: tuple
+    period: float
+    advance: complex
+    slope: float
 
 
-def apart(order, long_gap, short_gap):
-    """The roots with e₁ > e₂: where they meet, on a separatrix, a gap far below rounding stands for none."""
-    return Roots(order, long_gap, max(short_gap, long_gap * epsilon() ** 18))
+def halves(coefficients):
+    """The high and the low coefficients, by row, with room for two or four: what is gathered fastest."""
+    high = np.zeros((coefficients.shape[1], 2 if len(coefficients) <= 6 else 4))
+    high[:, : len(coefficients) - 4] = coefficients[4:].T
+    return high, coefficients[:4].T.copy()
 
 
-def roots_of(tip):
-    """The gaps between e₁, e₂, e₃, each from the product of half-angles that does not cancel."""
-    minus = 2 * tip.half_sine**2
-    drive = tip.drive
-    return apart("-o+", gap_minus_plus(drive), -gap_other_minus(minus, tip.gap))
-
-
-def half_period_of(roots):
-    """Real half-period of ℘."""
-    return half_period(agm(sqrt(roots.long_gap), sqrt(roots.short_gap)))
-
-
-class Point(NamedTuple):
-    """℘ − e₊, ℘ − e₋ and ℘ − e_o at a point of the rod."""
-
-    plus: float
-    minus: float
-    other: float
-
-
-def clamp_point(clamp, tip):
-    """℘ − e₊, ℘ − e₋, ℘ − e_o where the rod reaches the clamp angle."""
-    plus, minus = 2 * tip.half_cosine**2, 2 * tip.half_sine**2
-    drive = tip.drive
-    return Point(
-        point_plus(plus, drive, clamp.one_minus, tip.drop),
-        point_minus(minus, drive, clamp.one_plus, tip.drop),
-        point_other(plus, minus, tip.level, tip.drop),
+def table_of(equilibrium, bins, position):
+    """The table of an equilibrium, by its bins: as many cells in each as the short series need."""
+    rod = equilibrium.rod
+    cells, parts = 16, None
+    while parts is None:
+        cells *= 2
+        parts = short_series(rod, bins, cells, position)
+    uniform = not np.any(bins.straight)
+    counts = np.where(bins.straight, 1, cells)
+    return Table(
+        bins.start * (cells if uniform else 1),
+        cells / bins.width if uniform else 1 / bins.width,
+        None if uniform else np.stack((np.cumsum(counts) - counts, counts), axis=1).astype(float),
+        tuple(halves(part * 2.0 ** np.arange(len(part))[:, None]) for part in parts),
+        *period_of(equilibrium),
+        -ldexp(cells / bins.width, rod.scale),
     )
 
 
-class Timing(NamedTuple):
-    """Lengths from the tip: to the other turning point, and to the first arrival at the clamp angle."""
+class Spare(NamedTuple):
+    """Room for a block: place within its cell, whole cells, periods, gathered coefficients, rows."""
 
-    swing: float
-    arrival: float
-
-
-def timing_of(clamp, tip):
-    """Half-swing and first arrival of a tip."""
-    roots = roots_of(tip)
-    half = half_period_of(roots)
-    point = clamp_point(clamp, tip)
-    direct = min(arc_length(point.plus, point.minus, point.other), half)
-    return Timing(2 * half, direct if clamp.rest >= 0 else 2 * half - direct)
+    within: Any
+    whole: Any
+    periods: Any
+    gathered: Any
+    row: Any
 
 
-def left_of_side(clamp, piece, fall):
-    """gap, drop and level of a tip below π, each a sum of terms of one sign or a product of exact offsets."""
-    # 2 sin(high − fall/2) sin(fall/2) is the difference of the cosines of the tip angle and of the high end.
-    below_high = 2 * sin(piece.high_rest + fall / 2) * sin(fall / 2)
-    drop = below_high
-    gap = gap_below(clamp.gap, drop)
-    return gap, drop, level_above_gap(clamp.one_plus, gap)
+def gather(coefficients, row, gathered):
+    """The coefficients of a row for each point, in the room for them."""
+    columns = coefficients.shape[1]
+    found = gathered.reshape(-1)[: len(row) * columns].reshape(-1, columns)
+    return np.take(coefficients, row, axis=0, out=found, mode="clip")
 
 
-def tip_at(clamp, piece, place):
-    """The tip at a place of a piece: −∞ is its low end, +∞ its high end, and offsets from both are exact."""
-    rise, fall = piece.width / (1 + exp(-place)), piece.width / (1 + exp(place))
-    high = pi - piece.high_rest
-    angle = piece.low + rise if rise < fall else high - fall
-    half_sine, half_cosine = sin(angle / 2), sin((piece.high_rest + fall) / 2)
-    gap, drop, level = left_of_side(clamp, piece, fall)
-    return Tip(half_sine, half_cosine, gap, drop, level, drive_between(drop, level), angle, piece.passes)
+def locate(table, within, whole, gathered, row):
+    """From lengths from the tip to the rows, and to places in the cells, between −½ and ½; exact, for cells are powers
+    of two wide."""
+    within *= table.cells
+    np.floor(within, out=whole)
+    within -= whole
+    whole -= table.start
+    np.copyto(row, whole, casting="unsafe")
+    if table.per_bin is not None:
+        ends = gather(table.per_bin, row, gathered)
+        within *= ends[:, 1]
+        np.floor(within, out=whole)
+        within -= whole
+        whole += ends[:, 0]
+        np.copyto(row, whole, casting="unsafe")
+    within -= 0.5
 
 
-def end_timing(piece, last):
-    """The timing at the high end itself, where it is known: arrival at once, or after the whole half-swing."""
-    if piece.high_kind == "clamp":
-        return Timing(last.swing, 0)
-    if piece.high_kind == "turn":
-        return Timing(last.swing, last.swing)
-    return last
+def sum_gathered(rows, degree, row, within, gathered, value, slope):
+    """Horner's scheme for the value, and for the slope in the cell where it is wanted."""
+    high, low = rows
+    found, top = gather(high, row, gathered), degree - 4
+    value[...] = found[:, top]
+    if slope is not None:
+        slope[...] = value
+    value *= within
+    value += found[:, top - 1]
+    for k in range(degree - 2, -1, -1):
+        if k == 3:
+            found = gather(low, row, gathered)
+        if slope is not None:
+            slope *= within
+            slope += value
+        value *= within
+        value += found[:, k % 4]
 
 
-def dip(function, left, middle, right, values):
-    """The place nearest to zero between left and right by golden sections, or the first beyond zero."""
-    best, positive = values[1], values[1] > 0
-    if abs(best) > 4 * max(abs(values[0] - best), abs(values[2] - best)):
-        return middle, best
-    golden = (3 - sqrt(5)) / 2
-    while abs(right - left) > 2 * sqrt(epsilon()) * (1 + abs(middle)):
-        wide_right = right - middle > middle - left
-        trial = middle + golden * (right - middle) if wide_right else middle - golden * (middle - left)
-        value = function(trial)
-        if (value > 0) != positive:
-            return trial, value
-        if abs(value) < abs(best):
-            left, right = (middle, right) if wide_right else (left, middle)
-            middle, best = trial, value
-        elif wide_right:
-            right = trial
-        else:
-            left = trial
-    return middle, best
+def fill(rod, table, s, results, spare):
+    """The values of a block of points."""
+    within, whole, periods, gathered, row = (part[: s.size] for part in spare)
+    np.multiply(s, -ldexp(1.0, rod.scale), out=within)
+    within += rod.length
+    if table.period:
+        np.multiply(within, 1 / table.period, out=periods)
+        np.rint(periods, out=periods)
+        np.multiply(periods, table.period, out=whole)
+        within -= whole
+    locate(table, within, whole, gathered, row)
+    theta, curvature = results[:2]
+    sum_gathered(table.rows[0], ANGLE_DEGREE, row, within, gathered, theta, curvature)
+    curvature *= table.slope
+    for part, rows, advance in zip(results[2:], table.rows[1:], (table.advance.real, table.advance.imag), strict=False):
+        sum_gathered(rows, PLACE_DEGREE, row, within, gathered, part, None)
+        if table.period:
+            np.multiply(periods, advance, out=whole)
+            part += whole
 
 
-def brackets(places, values, function):
-    """Pairs of places with values of opposite sign, those around an extremum between grid points included."""
-    found = []
-    for k in range(1, len(places)):
-        if (values[k - 1] > 0) != (values[k] > 0):
-            found.append((places[k - 1], places[k], values[k - 1], values[k]))
-    for k in range(1, len(places) - 1):
-        before, here, after = values[k - 1], values[k], values[k + 1]
-        if (before > 0) == (here > 0) == (after > 0) and abs(here) <= min(abs(before), abs(after)):
-            place, value = dip(function, places[k - 1], places[k], places[k + 1], values[k - 1 : k + 2])
-            if (value > 0) != (here > 0):
-                found.append((places[k - 1], place, before, value))
-                found.append((place, places[k + 1], value, after))
-    return found
-
-
-def interpolated(a, b, c, value_a, value_b, value_c):
-    """Where on the way from a to b inverse quadratic interpolation puts the zero, or half way where it is unsafe."""
-    x, y = (a - b) / (c - b), (value_a - value_b) / (value_c - value_b)
-    if y * y >= x or (1 - y) * (1 - y) >= 1 - x:
-        return 0.5
-    share = value_a / (value_b - value_a) * value_c / (value_b - value_c)
-    return share + (c - a) / (b - a) * value_a / (value_c - value_a) * value_b / (value_c - value_b)
-
-
-def bracketed_root(function, a, b, value_a, value_b):
-    """A sign change of the function between a and b, to rounding, by Chandrupatla's method (1997)."""
-    fraction = 0.5
-    while True:
-        trial = a + fraction * (b - a)
-        value = function(trial)
-        if (value > 0) == (value_a > 0):
-            c, value_c = a, value_a
-        else:
-            c, value_c, b, value_b = b, value_b, a, value_a
-        a, value_a = trial, value
-        best, value_best = (a, value_a) if abs(value_a) < abs(value_b) else (b, value_b)
-        least = 2 * epsilon() * (1 + abs(best)) / abs(b - a)
-        if least > 0.5 or value_best == 0:
-            return best
-        fraction = min(1 - least, max(least, interpolated(a, b, c, value_a, value_b, value_c)))
-
-
-class Crossing(NamedTuple):
-    """A tip whose rod has the right length, on branch 2·turns·H + sign·t; ``rising``: the branch grows with the tip."""
-
-    place: float
-    turns: int
-    sign: int
-    rising: bool
-
-
-def crossings(beta, length, clamp, piece):
-    """Every crossing of the rod's length on a piece, as a list of Crossing."""
-    places = grid(beta, length, clamp, piece)
-
-    def timing(place):
-        return timing_of(clamp, tip_at(clamp, piece, place))
-
-    timings = [timing(place) for place in places]
-    timings[-1] = end_timing(piece, timings[-1])
-    found = []
-    shortest = min(item.swing for item in timings)
-    for turns in range(int(length / (2 * shortest)) + 2):
-        for sign in (1, -1) if turns else (1,):
-
-            def excess(item, turns=turns, sign=sign):
-                return (2 * turns * item.swing if turns else 0) + sign * item.arrival - length
-
-            values = [excess(item) for item in timings]
-            for bracket in brackets(places, values, lambda place, f=excess: f(timing(place))):
-                place = bracketed_root(lambda place, f=excess: f(timing(place)), *bracket)
-                found.append(Crossing(place, turns, sign, bracket[3] > 0))
-    return found
-
-
-class Arc(NamedTuple):
-    """A stretch of rod that starts at the tip: its length, ∫cos θ, ∫sin θ and η∫cos²θ."""
-
-    extent: float
-    y: float
-    z: float
-    square: float
-
-
-def arc_to(tip, point):
-    """The arc from the tip to a point within the first half-period."""
-    plus, minus = 2 * tip.half_cosine**2, 2 * tip.half_sine**2
-    xi_tip = (tip.half_cosine - tip.half_sine) * (tip.half_cosine + tip.half_sine)
-    drive = tip.drive
-    arc = arc_length(point.plus, point.minus, point.other)
-    y = arc_y(plus, minus, drive, xi_tip, arc, point.plus, point.minus, point.other)
-    z = arc_z(plus, minus, 2 * tip.half_sine * tip.half_cosine, point.other)
-    square = 0
-    return Arc(arc, y, z, square)
-
-
-def half_period_point(tip):
-    """℘ − e₊, ℘ − e₋, ℘ − e_o at the half-period, where ℘ = e₁."""
-    roots = roots_of(tip)
-    values = {roots.order[0]: 0, roots.order[1]: roots.short_gap, roots.order[2]: roots.long_gap}
-    return Point(values["+"], values["-"], values["o"])
-
-
-def swing_of(half):
-    """The arc of a half-swing, from the arc of a half-period: through π it is two of them, mirror images in z."""
-    return Arc(2 * half.extent, 2 * half.y, 0 * half.z, 2 * half.square)
-
-
-def arrival_of(clamp, half, direct):
-    """The arc to the first arrival, from the arc to the point of ℘: beyond π it comes back to the same ℘."""
-    if clamp.rest < 0:
-        return Arc(2 * half.extent - direct.extent, 2 * half.y - direct.y, direct.z, 2 * half.square - direct.square)
-    return direct
-
-
-def whole_rod(length, clamp, tip, crossing):
-    """∫cos θ, ∫sin θ and η∫cos²θ over the rod that meets the clamp on the crossing's branch."""
-    half = arc_to(tip, half_period_point(tip))
-    direct = arc_to(tip, clamp_point(clamp, tip))
-    swing, arrival = swing_of(half), arrival_of(clamp, half, direct)
-    turns, sign = 2 * crossing.turns, crossing.sign
-    return Arc(
-        length,
-        float(turns * swing.y + sign * arrival.y),
-        float(turns * swing.z + sign * arrival.z),
-        float(turns * swing.square + sign * arrival.square),
+def by_lookup(equilibrium, bins, s, position):
+    """θ, θ′, y and z at s; y and z are None without ``position``."""
+    table = table_of(equilibrium, bins, position)
+    results = [np.empty(s.size) for _ in range(4 if position else 2)]
+    spare = Spare(
+        *(np.empty(LOOKUP_BLOCK) for _ in range(3)), np.empty((LOOKUP_BLOCK, 4)), np.empty(LOOKUP_BLOCK, dtype=np.intp)
     )
+    for first in range(0, s.size, LOOKUP_BLOCK):
+        block = slice(first, min(first + LOOKUP_BLOCK, s.size))
+        fill(equilibrium.rod, table, s[block], [part[block] for part in results], spare)
+    return results if position else [*results, None, None]
 
 
-def index_of(crossing):
-    """Number of conjugate points of the free end on the rod (Sturm: one in each half-swing, and a last one or none).
-
-    h = ∂θ/∂θ_ℓ solves the second variation with h = 1, h′ = 0 at the tip; θ′ solves it too and vanishes once a
-    half-swing, so h vanishes once in each. Whether it has vanished in the last, unfinished one is told by the sign
-    of h at the clamp, which is against that of dθ/dσ times the slope of the branch.
-    """
-    swings = 2 * crossing.turns - (1 if crossing.sign < 0 else 0)
-    positive = crossing.rising != (crossing.sign > 0)
-    return swings if positive == (swings % 2 == 0) else swings + 1
+def by_series(equilibrium, s, position):
+    """``shape_at`` by power series in bins along the rod."""
+    bins = bins_of(equilibrium, position)
+    cells = cells_for(equilibrium, bins, s.size)
+    if cells and np.all(s[1:] >= s[:-1]):
+        return by_runs(equilibrium, bins, cells, s, position)
+    return by_lookup(equilibrium, bins, s, position)
 
 
-def bent_rod(rod, clamp, tip, crossing):
-    """The equilibrium of a tip on its branch."""
-    arc = whole_rod(rod.length, clamp, tip, crossing)
-    gamma = tip_gamma(rod.beta, (tip.half_cosine - tip.half_sine) * (tip.half_cosine + tip.half_sine))
-    curvature = crossing.sign * sqrt(max(curvature_squared(tip.drop, tip.level), 0))
-    return Equilibrium(
-        2 * pi * (rod.turns + 1) - tip.angle if rod.mirrored else 2 * pi * rod.turns + tip.angle,
-        curvature if rod.mirrored else -curvature,
-        gamma,
-        arc.y,
-        -arc.z if rod.mirrored else arc.z,
-        rod_energy(rod.beta, gamma, rod.length, arc.y),
-        index_of(crossing),
-        rod,
-        tip,
-    )
-
-
-def all_equilibria(beta, length, clamp_angle):
-    """Every equilibrium, sorted by tip angle: from the tips below the clamp angle, above it, and the straight rod."""
-    turns, clamp = clamp_of(beta, clamp_angle)
-    if clamp.angle == 0 or beta == 0:
-        return [straight_rod(beta, length, clamp_angle, turns, clamp)]
-    found = []
-    for mirrored, seen in ((False, clamp), (True, mirror_image(clamp))):
-        rod = Rod(beta, length, turns, mirrored)
-        for piece in pieces(seen):
-            for crossing in crossings(beta, length, seen, piece):
-                tip = tip_at(seen, piece, crossing.place)
-                found.append(bent_rod(rod, seen, tip, crossing))
-    if clamp.rest == 0 or clamp.drive == 0:
-        found.append(straight_rod(beta, length, clamp_angle, turns, clamp))
-    return sorted(found, key=lambda item: item.tip_angle)
+def shape_at(equilibrium, s, position=True):
+    """θ, θ′, y and z at an array of arc lengths, each in the shape of s; y and z are None without ``position``."""
+    flat = np.ravel(s)
+    if equilibrium.swing is None:
+        values = angle_and_position(equilibrium, flat)
+    elif flat.size <= FEW:
+        values = np.array([angle_and_position(equilibrium, place) for place in flat.tolist()]).reshape(-1, 4).T
+    else:
+        values = by_series(equilibrium, flat, position)
+    theta, curvature, y, z = (None if part is None else np.reshape(part, np.shape(s)) for part in values)
+    return (theta, curvature, y, z) if position else (theta, curvature, None, None)
 
 
 def refuse(name, numbers, bad, why):
@@ -832,59 +1914,12 @@ def all_real(name, values):
     return np.asarray(flat, dtype=float).reshape(items.shape)
 
 
-def part_arc(beta, tip, sigma, r, ratios):
-    """∫(cos θ − ξ_ℓ) and ∫sin θ from the tip to a point of the first half-period.
+class Given(NamedTuple):
+    """The parameters of many rods, as arrays of one length."""
 
-    The arguments of Carlson's integrals are (℘ − e)r², finite at the tip too; by homogeneity the integral of the
-    third kind then takes a factor r³ and the elementary one a factor r.
-    """
-    plus, minus = 2 * tip.half_cosine**2, 2 * tip.half_sine**2
-    scaled = [ratios[name] * ratios[name] + 0 * r for name in "+-o"]
-    drive = tip.drive
-    y = r**3 * arc_y_each(plus, minus, drive, 0, 0, *scaled)
-    z = r * arc_z_each(plus, minus, 2 * tip.half_sine * tip.half_cosine, scaled[2])
-    return y, z
-
-
-def from_tip(beta, tip, sigma):
-    """θ, dθ/dσ, ∫₀^σ cos θ and ∫₀^σ sin θ at arc lengths σ from the tip.
-
-    tan(θ/2) is tan(θ_ℓ/2) times the square root of (℘ − e₊)/(℘ − e₋), so it is one ratio of cn, dn and 1.
-    """
-    roots = roots_of(tip)
-    steps = agm(sqrt(roots.long_gap), sqrt(roots.short_gap))
-    half = half_period(steps)
-    waves = np.floor(sigma / (2 * half) + 0.5)
-    within = sigma - 2 * half * waves
-    r, cn, dn = root_ratios(steps, np.abs(within))
-    ratios = {roots.order[0]: cn, roots.order[1]: dn, roots.order[2]: 1}
-    side = np.where(within < 0, -1, 1)
-    # Through π the motion of θ takes two periods of ℘: every other one is its mirror image.
-    flip = np.where(waves % 2 == 0, 1, -1)
-    up = tip.half_sine * ratios["+"]
-    across = tip.half_cosine * ratios["-"] * flip
-    swing = dn
-    drive = tip.drive
-    turning = 2 * tip.half_sine * tip.half_cosine * drive * r * swing * side * flip / (up * up + across * across)
-    y, z = part_arc(beta, tip, sigma, r, ratios)
-    whole = arc_to(tip, half_period_point(tip))
-    xi_tip = (tip.half_cosine - tip.half_sine) * (tip.half_cosine + tip.half_sine)
-    y = xi_tip * sigma + 2 * waves * (whole.y - xi_tip * half) + side * y
-    z = flip * side * z + 0
-    return 2 * np.arctan2(up, across), turning, y, z
-
-
-def angle_and_position(equilibrium, s):
-    """θ, θ′, y and z at arc lengths s from the clamp."""
-    if equilibrium.tip is None:
-        angle = equilibrium.tip_angle
-        slope = s / equilibrium.rod.length
-        return angle + 0 * s, 0 * s, equilibrium.y * slope, equilibrium.z * slope
-    rod, tip = equilibrium.rod, equilibrium.tip
-    angle, turning, y, z = from_tip(rod.beta, tip, rod.length - s)
-    if rod.mirrored:
-        return 2 * pi * (rod.turns + 1) - angle, turning, equilibrium.y - y, equilibrium.z + z
-    return 2 * pi * rod.turns + angle, -turning, equilibrium.y - y, equilibrium.z - z
+    beta: Any
+    length: Any
+    clamp_angle: Any
 
 
 def all_not_negative(name, values):
@@ -925,8 +1960,8 @@ class Equilibrium:
     tip_angle: θ(ℓ), continuous from θ(0) = clamp_angle, not wrapped. clamp_curvature: θ′(0). gamma: constant of
     the first integral. y, z: position of the tip. energy: ∫(½θ′² − ½η(d₃·e)²)ds − β·y, in units of EI. index:
     number of negative directions of the second variation; 0 means stable.
-    rod: what ``shape`` needs beyond the tip.
-    tip: where the rod starts from, None if it is straight.
+    rod: the rod it is an equilibrium of.
+    swing: its half-swing, None if it is straight.
     """
 
     tip_angle: float
@@ -937,7 +1972,7 @@ class Equilibrium:
     energy: float
     index: int
     rod: Rod
-    tip: Tip | None
+    swing: Swing | None
 
 
 def equilibria(beta, length, clamp_angle, *, max_index=None) -> list[Equilibrium]:
@@ -950,9 +1985,9 @@ def equilibria(beta, length, clamp_angle, *, max_index=None) -> list[Equilibrium
 
     All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """
-    rod, limit = one_rod(beta, length, clamp_angle), index_limit(max_index)
-    found = all_equilibria(rod.beta, rod.length, rod.clamp_angle)
-    return [item for item in found if limit is None or item.index <= limit]
+    beta, length = not_negative("beta", beta), positive("length", length)
+    clamp_angle = real("clamp_angle", clamp_angle)
+    return all_equilibria(beta, length, clamp_angle, index_limit(max_index))
 
 
 @dataclass(frozen=True, slots=True)
@@ -969,18 +2004,20 @@ def on_rod(equilibrium, s):
     """The arc lengths as doubles; TypeError or ValueError if the first is no equilibrium, or an s not on its rod."""
     if not isinstance(equilibrium, Equilibrium):
         raise TypeError(f"equilibrium must be one that equilibria gives, got {equilibrium!r}")
-    places, length = all_real("s", s), equilibrium.rod.length
+    places, length = all_real("s", s), length_of(equilibrium.rod)
     refuse("s", places, (places < 0) | (places > length), f"must lie in [0, {length!r}], the rod")
     return places
 
 
-def shape(equilibrium: Equilibrium, s) -> Shape:
+def shape(equilibrium: Equilibrium, s, *, position=True) -> Shape:
     """The shape of an equilibrium at arc lengths s from the clamp, a number or an array within [0, length].
+
+    position: whether y and z are wanted; without them they are None, and θ takes a fraction of the time.
 
     theta, curvature, y and z have the shape of s. Raises TypeError or ValueError where an s is not on the rod.
     """
-    places = on_rod(equilibrium, s)
-    return Shape(*angle_and_position(equilibrium, places))
+    found = shape_at(equilibrium, on_rod(equilibrium, s), position)
+    return Shape(*(part if part is None else part[()] for part in found))
 
 
 @dataclass(frozen=True, slots=True)

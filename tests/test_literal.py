@@ -22,7 +22,8 @@ from derive.check.verdicts import PROVED
 from derive.emit import scene as scenes
 from derive.emit.errors import EmitError, SceneError
 from derive.emit.kernels import article_formulas, literal
-from derive.emit.module import emit_kernel_formulas, emit_module
+from derive.emit.committed import emit_kernels
+from derive.emit.module import emit_module
 from derive.emit.proof import prove_formulas, prove_module
 from derive.emit.scene import parse_scene
 from derive.measure.loading import load
@@ -111,7 +112,7 @@ def test_every_formula_stands_for_a_proved_claim() -> None:
 
 
 def test_the_kernels_have_the_formulas_as_emitted() -> None:
-    text = emit_kernel_formulas(theory(), "article")
+    text = emit_kernels(theory())["article_formulas"]
     assert text == (kernels_folder() / "article_formulas.py").read_text(encoding="utf-8")
 
 

@@ -17,7 +17,6 @@ from derive.emit.kernel_files import parse_kernel, read_kernels
 from derive.emit.layout import lines_of
 from derive.emit.printer import formula_function
 from derive.emit.render import render
-from derive.theory.claims import Formula
 
 _TITLES = {
     "solver": "The formulas as the theory derives them, nothing folded",

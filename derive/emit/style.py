@@ -31,7 +31,16 @@ def _restyle(text: str) -> str:
             edits.append((token.start[1], token.end[1], swapped))
     for start, end, new in sorted(edits, reverse=True):
         text = text[:start] + new + text[end:]
-    return _bare_tuple(text)
+    return _bare_tuple(_bare_generators(text))
+
+
+def _bare_generators(text: str) -> str:
+    """``tuple(f(x) for x in y)`` without the second pair of parentheses that ast.unparse adds."""
+    for found in reversed(list(re.finditer(r"(?<=\w)\(\(", text))):
+        start, end = found.start() + 1, _matching(text, found.start() + 1)
+        if text[end + 1 : end + 2] == ")" and _split(text[start + 1 : end], (" for ",))[1:]:
+            text = text[:start] + text[start + 1 : end] + text[end + 1 :]
+    return text
 
 
 def _simple(before: tokenize.TokenInfo, after: tokenize.TokenInfo, last: tokenize.TokenInfo) -> bool:
@@ -64,6 +73,10 @@ def wrap(text: str, indent: str) -> list[str]:
     head = _BLOCK_KEYWORDS.match(text)
     if head:
         start = head.end()
+        members = _split(text[start:], (", ",))
+        if len(members) > 1:  # a bare tuple
+            body = [line for part in members for line in _with_comma(wrap(part, indent + "    "))]
+            return [f"{indent}{text[:start]}(", *body, f"{indent})"]
         operands = _operands(text[start:])
         if len(operands) > 1:
             body = [line for part in operands for line in wrap(part, indent + "    ")]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from math import isclose, pi, sqrt
+from typing import Any
 
 from derive.measure.reference import Reference, Rod, solve
 from derive.measure.scan import STIFFEST, brute_force
@@ -48,6 +49,10 @@ def rods(case: str, folded: Mapping[str, float] | None = None) -> list[Rod]:
     return [rod for rod in chosen if rod.length * sqrt(rod.beta + rod.eta) <= STIFFEST]
 
 
-def references(rod: Rod) -> list[Reference]:
-    """All equilibria of a moderate rod, found by brute force and refined to 40 digits."""
-    return [solve(rod, tip) for tip in brute_force(rod)]
+def references(rod: Rod, exact: Mapping[str, Any] | None = None) -> list[Reference]:
+    """All equilibria of a moderate rod, found by brute force and refined to 40 digits.
+
+    exact: values that stand for those of the rod, which are their doubles: a module has a folded π/2 as such.
+    """
+    precise = replace(rod, **exact or {})
+    return [replace(solve(precise, tip), rod=rod) for tip in brute_force(rod)]

@@ -62,7 +62,8 @@ def shape(equilibrium: Equilibrium, s, *, position=True) -> Shape:
 
     theta, curvature, y and z have the shape of s. Raises TypeError or ValueError where an s is not on the rod.
     """
-    return Shape(*shape_at(equilibrium, on_rod(equilibrium, s), position))
+    found = shape_at(equilibrium, on_rod(equilibrium, s), position)
+    return Shape(*(part if part is None else part[()] for part in found))
 
 
 def literal(equilibrium: Equilibrium, s) -> Shape:

@@ -1,9 +1,9 @@
-"""The article's own formulas for the load case 'parallel', and those that only another case has.
+"""The article's own formulas, of the first load case that has them.
 
-Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, the
-formulas of its own load case take their place.
+Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
+are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 249b5543b91e19486a7ce2017688ee071f3990a1cd8a25fd7f062120f66bb1fd
+Digest of the inputs: sha256 f3d03593114d5801855e7018179ef09d05457fe05d17ec32eccc828578278994
 """
 
 from __future__ import annotations

@@ -76,7 +76,7 @@ def groups(rods):
             which = flatnonzero(here & ~low)
             if which.size:
                 part = rows(some, which)
-                found.append(Group(part, clamp.turns[which], build(part.eta, rows(ground, which))))
+                found.append(Group(part, clamp.turns[which], build(rows(ground, which))))
     return found, straight, concatenate([zeros(0, dtype=int), *doubtful])
 
 
@@ -126,7 +126,7 @@ def ground_of_each(rods, scene, clamp):
     rests = scene.rests
     level = scene._replace(rests=numbered(rests))
     if len(rests) == 3 or scene.level:
-        return level_ground_each(level, clamp.offsets), zeros(rods.case.shape, dtype=bool)
+        return level_ground_each(rods.eta, level, clamp.offsets), zeros(rods.case.shape, dtype=bool)
     drop = ridge_fall_each(rods.beta, rods.eta, rods.field_angle, rests[0], rests[2])
     low = drop <= epsilon() ** 17 * (rods.beta + rods.eta)
     return ridge_ground_each(rods.eta, level, clamp.offsets, drop), low

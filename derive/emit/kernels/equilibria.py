@@ -75,8 +75,8 @@ class Equilibrium:
 
 def all_equilibria(beta, eta, length, clamp_angle, field_angle, max_index):
     """Every equilibrium, sorted by tip angle: from the tips below the clamp angle, above it, and the straight rod."""
-    if beta + eta == 0:
-        return [idle_rod(beta, eta, length, clamp_angle, field_angle)]
+    if length * sqrt(beta + eta) <= epsilon():
+        return [weak_rod(beta, eta, length, clamp_angle, field_angle)]
     most = inf if max_index is None else max_index
     scale = frexp(beta + eta)[1] // 2
     field = principal(field_angle)
@@ -215,12 +215,15 @@ def straight_rod(rod, rest):
     )
 
 
-def idle_rod(beta, eta, length, clamp_angle, field_angle):
-    """The rod on which nothing acts."""
+def weak_rod(beta, eta, length, clamp_angle, field_angle):
+    """The rod that is all but straight: θ″ is that of the clamp angle, to the square of rounding."""
     rod = Rod(beta, eta, length, clamp_angle, field_angle, 1, 0)
-    nothing = 0 * length
+    lean = clamp_angle - field_angle
+    moment = beta * sin(clamp_angle) + eta * sin(lean) * cos(lean)
+    gamma = 2 * beta * cos(clamp_angle) + eta * cos(lean) * cos(lean)
+    tip = clamp_angle - moment * length * length / 2
     y, z = length * cos(clamp_angle), length * sin(clamp_angle)
-    return Equilibrium(clamp_angle, nothing, nothing, y, z, nothing, 0, rod, None)
+    return Equilibrium(tip, -moment * length, gamma, y, z, -gamma * length / 2, 0, rod, None)
 
 
 def length_of(rod):

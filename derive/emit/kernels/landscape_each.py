@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/landscape.py: do not edit, change that file.
 
-Digest of the inputs: sha256 dca122d097b9b091f348294a626dba3edec1f5918daf8f88675e01b741d724d1
+Digest of the inputs: sha256 2af92e190523bf389a7ac1905beb8e58d54d6281b5825760546e64d506d80ff1
 """
 
 from __future__ import annotations

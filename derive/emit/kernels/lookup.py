@@ -10,7 +10,7 @@ import numpy as np
 from derive.emit.kernels.expansion import divided, period_of, quarter
 from derive.emit.kernels.shortening import cut
 
-BLOCK = 8192  # points at a time, so that what is gathered for them stays in the cache
+LOOKUP_BLOCK = 8192  # points at a time, so that what is gathered for them stays in the cache
 ANGLE_DEGREE = 6  # of the short series: two gathers of up to four coefficients each
 TERMS = 9  # of the series before what can be left out is left out
 PLACE_DEGREE = 5  # the slope is not asked for, so it needs a degree less
@@ -36,10 +36,10 @@ def by_lookup(equilibrium, bins, s, position):
     """θ, θ′, y and z at s; y and z are None without ``position``."""
     table = table_of(equilibrium, bins, position)
     results = [np.empty(s.size) for _ in range(4 if position else 2)]
-    gathered, row = np.empty((BLOCK, 4)), np.empty(BLOCK, dtype=np.intp)
-    spare = Spare(np.empty(BLOCK), np.empty(BLOCK), np.empty(BLOCK), gathered, row)
-    for first in range(0, s.size, BLOCK):
-        block = slice(first, min(first + BLOCK, s.size))
+    gathered, row = np.empty((LOOKUP_BLOCK, 4)), np.empty(LOOKUP_BLOCK, dtype=np.intp)
+    spare = Spare(np.empty(LOOKUP_BLOCK), np.empty(LOOKUP_BLOCK), np.empty(LOOKUP_BLOCK), gathered, row)
+    for first in range(0, s.size, LOOKUP_BLOCK):
+        block = slice(first, min(first + LOOKUP_BLOCK, s.size))
         fill(equilibrium.rod, table, s[block], [part[block] for part in results], spare)
     return results if position else [*results, None, None]
 
@@ -66,10 +66,10 @@ def fill(rod, table, s, results, spare):
         within -= whole
     locate(table, within, whole, gathered, row)
     theta, curvature = results[:2]
-    sum_series(table.rows[0], ANGLE_DEGREE, row, within, gathered, theta, curvature)
+    sum_gathered(table.rows[0], ANGLE_DEGREE, row, within, gathered, theta, curvature)
     curvature *= table.slope
     for part, rows, advance in zip(results[2:], table.rows[1:], (table.advance.real, table.advance.imag), strict=False):
-        sum_series(rows, PLACE_DEGREE, row, within, gathered, part, None)
+        sum_gathered(rows, PLACE_DEGREE, row, within, gathered, part, None)
         if table.period:
             np.multiply(periods, advance, out=whole)
             part += whole
@@ -93,7 +93,7 @@ def locate(table, within, whole, gathered, row):
     within -= 0.5
 
 
-def sum_series(rows, degree, row, within, gathered, value, slope):
+def sum_gathered(rows, degree, row, within, gathered, value, slope):
     """Horner's scheme for the value, and for the slope in the cell where it is wanted."""
     high, low = rows
     found, top = gather(high, row, gathered), degree - 4

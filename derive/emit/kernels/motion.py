@@ -130,13 +130,16 @@ def far_side(eta, piece, rise, drop, depth, done):
     else:
         below = basin.far_rise + fall(eta, hill, 0, rise)
     if basin.passes:
-        above = -fall(eta, far_well, 0, down) - below
+        # Not below the ridge, however near it is to the well behind it.
+        ridge = fall(eta, basin.axis, 0, far_well.angle - basin.axis.angle)
+        above = larger(-fall(eta, far_well, 0, down) - below, ridge)
     else:
         above = -fall(eta, well, 0, -depth)
     by_hill = below < above
     distance = reach_either(eta, far, far_well, by_hill, pick(by_hill, below, above), down)
     turn = pick(by_hill, down - distance, distance)  # far turning point − far_well
-    clamp_turn = down - piece.far_gap  # clamp − far_well
+    # clamp − far_well
+    clamp_turn = down - piece.far_gap if basin.passes else piece.clamp_gap - piece.high_depth
     left = pick(by_hill, piece.far_gap - distance, distance - clamp_turn)
     if basin.passes:
         half_width = (turn + depth + (far_well.angle - well.angle)) / 2

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 6bd0cf1417ea79c9603fc24de108f4d0aa1ab2e8c887b6181852db211065585d
+Digest of the inputs: sha256 927816854c2d08ef5da0dc758f047ff2c2e94b49fff07163db585c4ed9546055
 """
 
 from __future__ import annotations
@@ -214,8 +214,9 @@ def above_field_each(eta, basin, middle, half_width, field_angle, height):
     # As near the ridge as rounding it is nearer still: it is there to the second order in the height.
     offset = pick(each_abs(offset) < 32 * spacing(offset), 0, offset)
     outer, inner = each_sin(half_width / 2), each_sin(shift / 2)
-    return (height + fall_each(eta, axis, 0, offset)) / pick(
-        outer * outer == inner * inner, 1, outer * outer - inner * inner
+    return (
+        (height + fall_each(eta, axis, 0, offset))
+        / pick(outer * outer == inner * inner, 1, outer * outer - inner * inner)
     )
 
 

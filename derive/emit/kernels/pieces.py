@@ -133,6 +133,7 @@ class Ground(NamedTuple):
     where no ridge is lower than the hill.
     """
 
+    eta: float
     scene: Landscape
     at: tuple[float, ...]
     drop: float
@@ -144,30 +145,30 @@ def ground_of(beta, eta, field_angle, scene, clamp):
     """The ground of a rod."""
     rests, at = scene.rests, clamp.offsets
     if len(rests) == 3:
-        return level_ground(scene, at)
+        return level_ground(eta, scene, at)
     drop = 0 if scene.level else ridge_fall(beta, eta, field_angle, rests[0], rests[2])
     # A ridge lower by less than this would be passed only from within its square root of the hill.
     if drop <= epsilon() ** 17 * (beta + eta):
-        return level_ground(scene._replace(level=True, even=True), at)
+        return level_ground(eta, scene._replace(level=True, even=True), at)
     return ridge_ground(eta, scene, at, drop)
 
 
-def level_ground(scene, at):
+def level_ground(eta, scene, at):
     """The ground without a ridge lower than the hill."""
-    return Ground(scene, at, 0, 0, 0)
+    return Ground(eta, scene, at, 0, 0, 0)
 
 
 def ridge_ground(eta, scene, at, drop):
     """The ground with a lower ridge."""
     rests = scene.rests
     level = reach(eta, rests[0], drop, rests[1].angle - rests[0].angle, 1)
-    return Ground(scene, at, drop, level, fall(eta, rests[2], 0, at[2]))
+    return Ground(eta, scene, at, drop, level, fall(eta, rests[2], 0, at[2]))
 
 
 def pieces(beta, eta, field_angle, scene, clamp):
     """All ranges of tip angles below the clamp angle."""
     ground = ground_of(beta, eta, field_angle, scene, clamp)
-    return [build(eta, ground) for here, build in ranges(ground) if here]
+    return [build(ground) for here, build in ranges(ground) if here]
 
 
 def ranges(ground):
@@ -208,24 +209,24 @@ def over_ridge(ground):
     return Basin(hill, well, far, second, ridge, 0, True, ground.scene.even)
 
 
-def first_clamp(eta, ground):
+def first_clamp(ground):
     """From the first hill to the clamp."""
     return from_hill_to_clamp(basin_of(ground, 0), ground.at[:3])
 
 
-def first_turn(eta, ground):
+def first_turn(ground):
     """From the first hill to where the rod turns back at the clamp."""
-    return from_hill_to_turn(eta, basin_of(ground, 0), ground.at[:3])
+    return from_hill_to_turn(ground.eta, basin_of(ground, 0), ground.at[:3])
 
 
-def last_clamp(eta, ground):
+def last_clamp(ground):
     """From the second hill to the clamp."""
     return from_hill_to_clamp(basin_of(ground, 2), ground.at[2:])
 
 
-def last_turn(eta, ground):
+def last_turn(ground):
     """From the second hill to where the rod turns back at the clamp."""
-    return from_hill_to_turn(eta, basin_of(ground, 2), ground.at[2:])
+    return from_hill_to_turn(ground.eta, basin_of(ground, 2), ground.at[2:])
 
 
 def from_hill_to_clamp(basin, at):
@@ -247,15 +248,15 @@ def from_hill_to_turn(eta, basin, at):
     return piece_of(basin, "hill", "turn", 0, width, depth, depth + at[1], 0, at)
 
 
-def level_clamp(eta, ground):
+def level_clamp(ground):
     """From the level of the ridge to the clamp."""
     level, at = ground.level, ground.at
     return piece_of(basin_of(ground, 0), "level", "clamp", level, at[0] - level, -at[1], 0, 0, at)
 
 
-def level_turn(eta, ground):
+def level_turn(ground):
     """From the level of the ridge to where the rod turns back at the clamp, before the ridge."""
-    basin, level, at = basin_of(ground, 0), ground.level, ground.at
+    eta, basin, level, at = ground.eta, basin_of(ground, 0), ground.level, ground.at
     down = basin.well.angle - basin.hill.angle
     above, below = -fall(eta, basin.well, 0, at[1]), fall(eta, basin.far, 0, at[2])
     from_well = reach(eta, basin.well, above, down, -1)
@@ -265,21 +266,21 @@ def level_turn(eta, ground):
     return piece_of(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
 
 
-def pass_clamp(eta, ground):
+def pass_clamp(ground):
     """From the highest hill to a clamp above the level of the ridge."""
     at = ground.at
     return piece_of(over_ridge(ground), "hill", "clamp", 0, at[0], -at[1], 0, ground.level - at[0], at)
 
 
-def pass_level(eta, ground):
+def pass_level(ground):
     """From the highest hill to the level of the ridge."""
     over, level, at = over_ridge(ground), ground.level, ground.at
     return piece_of(over, "hill", "level", 0, level, over.well.angle - over.hill.angle - level, at[0] - level, 0, at)
 
 
-def pass_turn(eta, ground):
+def pass_turn(ground):
     """From the highest hill to where the rod turns back at a clamp above the level of the ridge, beyond it."""
-    over, level, at = over_ridge(ground), ground.level, ground.at
+    eta, over, level, at = ground.eta, over_ridge(ground), ground.level, ground.at
     down = over.well.angle - over.hill.angle
     width = -at[4] if over.even else reach(eta, over.hill, fall(eta, over.far, 0, at[4]), down, 1)
     # Towards the hill V is flat and tells little, but there the angles tell all.

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/pieces.py: do not edit, change that file.
 
-Digest of the inputs: sha256 2b33b1b6ef612fbcf044b3b0325fe8114c6a21ea207e38bc6dd9aed98428a67c
+Digest of the inputs: sha256 f482cf7f643b6d636bd7105df83c59d24f70854b1ab093898103b10732edb65e
 """
 
 from __future__ import annotations
@@ -144,6 +144,7 @@ class GroundEach(NamedTuple):
     where no ridge is lower than the hill.
     """
 
+    eta: float
     scene: LandscapeEach
     at: tuple[float, ...]
     drop: float
@@ -155,30 +156,30 @@ def ground_of_each(beta, eta, field_angle, scene, clamp):
     """The ground of a rod."""
     rests, at = scene.rests, clamp.offsets
     if len(rests) == 3:
-        return level_ground_each(scene, at)
+        return level_ground_each(eta, scene, at)
     drop = 0 if scene.level else ridge_fall_each(beta, eta, field_angle, rests[0], rests[2])
     # A ridge lower by less than this would be passed only from within its square root of the hill.
     if drop <= epsilon() ** 17 * (beta + eta):
-        return level_ground_each(scene._replace(level=True, even=True), at)
+        return level_ground_each(eta, scene._replace(level=True, even=True), at)
     return ridge_ground_each(eta, scene, at, drop)
 
 
-def level_ground_each(scene, at):
+def level_ground_each(eta, scene, at):
     """The ground without a ridge lower than the hill."""
-    return GroundEach(scene, at, 0, 0, 0)
+    return GroundEach(eta, scene, at, 0, 0, 0)
 
 
 def ridge_ground_each(eta, scene, at, drop):
     """The ground with a lower ridge."""
     rests = scene.rests
     level = reach_each(eta, rests[0], drop, rests[1].angle - rests[0].angle, 1)
-    return GroundEach(scene, at, drop, level, fall_each(eta, rests[2], 0, at[2]))
+    return GroundEach(eta, scene, at, drop, level, fall_each(eta, rests[2], 0, at[2]))
 
 
 def pieces_each(beta, eta, field_angle, scene, clamp):
     """All ranges of tip angles below the clamp angle."""
     ground = ground_of_each(beta, eta, field_angle, scene, clamp)
-    return [build(eta, ground) for here, build in ranges_each(ground) if here]
+    return [build(ground) for here, build in ranges_each(ground) if here]
 
 
 def ranges_each(ground):
@@ -219,24 +220,24 @@ def over_ridge_each(ground):
     return BasinEach(hill, well, far, second, ridge, 0, True, ground.scene.even)
 
 
-def first_clamp_each(eta, ground):
+def first_clamp_each(ground):
     """From the first hill to the clamp."""
     return from_hill_to_clamp_each(basin_of_each(ground, 0), ground.at[:3])
 
 
-def first_turn_each(eta, ground):
+def first_turn_each(ground):
     """From the first hill to where the rod turns back at the clamp."""
-    return from_hill_to_turn_each(eta, basin_of_each(ground, 0), ground.at[:3])
+    return from_hill_to_turn_each(ground.eta, basin_of_each(ground, 0), ground.at[:3])
 
 
-def last_clamp_each(eta, ground):
+def last_clamp_each(ground):
     """From the second hill to the clamp."""
     return from_hill_to_clamp_each(basin_of_each(ground, 2), ground.at[2:])
 
 
-def last_turn_each(eta, ground):
+def last_turn_each(ground):
     """From the second hill to where the rod turns back at the clamp."""
-    return from_hill_to_turn_each(eta, basin_of_each(ground, 2), ground.at[2:])
+    return from_hill_to_turn_each(ground.eta, basin_of_each(ground, 2), ground.at[2:])
 
 
 def from_hill_to_clamp_each(basin, at):
@@ -258,15 +259,15 @@ def from_hill_to_turn_each(eta, basin, at):
     return piece_of_each(basin, "hill", "turn", 0, width, depth, depth + at[1], 0, at)
 
 
-def level_clamp_each(eta, ground):
+def level_clamp_each(ground):
     """From the level of the ridge to the clamp."""
     level, at = ground.level, ground.at
     return piece_of_each(basin_of_each(ground, 0), "level", "clamp", level, at[0] - level, -at[1], 0, 0, at)
 
 
-def level_turn_each(eta, ground):
+def level_turn_each(ground):
     """From the level of the ridge to where the rod turns back at the clamp, before the ridge."""
-    basin, level, at = basin_of_each(ground, 0), ground.level, ground.at
+    eta, basin, level, at = ground.eta, basin_of_each(ground, 0), ground.level, ground.at
     down = basin.well.angle - basin.hill.angle
     above, below = -fall_each(eta, basin.well, 0, at[1]), fall_each(eta, basin.far, 0, at[2])
     from_well = reach_each(eta, basin.well, above, down, -1)
@@ -274,13 +275,13 @@ def level_turn_each(eta, ground):
     return piece_of_each(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
 
 
-def pass_clamp_each(eta, ground):
+def pass_clamp_each(ground):
     """From the highest hill to a clamp above the level of the ridge."""
     at = ground.at
     return piece_of_each(over_ridge_each(ground), "hill", "clamp", 0, at[0], -at[1], 0, ground.level - at[0], at)
 
 
-def pass_level_each(eta, ground):
+def pass_level_each(ground):
     """From the highest hill to the level of the ridge."""
     over, level, at = over_ridge_each(ground), ground.level, ground.at
     return piece_of_each(
@@ -288,9 +289,9 @@ def pass_level_each(eta, ground):
     )
 
 
-def pass_turn_each(eta, ground):
+def pass_turn_each(ground):
     """From the highest hill to where the rod turns back at a clamp above the level of the ridge, beyond it."""
-    over, level, at = over_ridge_each(ground), ground.level, ground.at
+    eta, over, level, at = ground.eta, over_ridge_each(ground), ground.level, ground.at
     down = over.well.angle - over.hill.angle
     width = -at[4] if over.even else reach_each(eta, over.hill, fall_each(eta, over.far, 0, at[4]), down, 1)
     gap = -onward_each(eta, over.hill, level, ground.height, width - level)

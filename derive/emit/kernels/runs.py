@@ -11,7 +11,7 @@ from derive.emit.kernels.expansion import divided, period_of, quarter
 from derive.emit.kernels.shortening import shortened
 
 ENOUGH = 1500  # points in a run, on average, from which runs are faster than looking up
-BLOCK = 16384  # points at a time, so that they stay in the cache
+RUN_BLOCK = 16384  # points at a time, so that they stay in the cache
 
 
 class Run(NamedTuple):
@@ -40,19 +40,19 @@ def by_runs(equilibrium, bins, cells, s, position):
     advance = period_of(equilibrium)[1]
     advances = (0.0, 0.0, advance.real, advance.imag)
     results = [np.empty(s.size) for _ in rows]
-    spare = np.empty(BLOCK)
+    spare = np.empty(RUN_BLOCK)
     for run in runs_of(equilibrium, bins, width, s):
-        for first in range(run.first, run.last, BLOCK):
-            block = slice(first, min(first + BLOCK, run.last))
+        for first in range(run.first, run.last, RUN_BLOCK):
+            block = slice(first, min(first + RUN_BLOCK, run.last))
             within = spare[: block.stop - first]
             np.multiply(s[block], -ldexp(2 / width, rod.scale), out=within)
             within += (rod.length - run.middle) * (2 / width)
             for result, row, step in zip(results, rows, advances, strict=False):
-                sum_series(row[run.cell], run.periods * step, within, result[block])
+                sum_run(row[run.cell], run.periods * step, within, result[block])
     return results if position else [*results, None, None]
 
 
-def sum_series(coefficients, shift, within, out):
+def sum_run(coefficients, shift, within, out):
     """Horner's scheme with the highest power first, and a shift."""
     np.multiply(within, coefficients[0], out=out)
     for coefficient in coefficients[1:-1]:

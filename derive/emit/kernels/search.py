@@ -195,7 +195,7 @@ def refined(sample, samples, length):
         apart = after.place - before.place > 1.3
         beside = [(done[-2], before, after)] if len(done) > 1 else []
         beside += [(before, after, todo[-2])] if len(todo) > 1 else []
-        if apart and any(bends(*triple, length) for triple in beside):
+        if apart and any(bends(one, two, three, length) for one, two, three in beside):
             todo.append(sample((before.place + after.place) / 2))
         else:
             done.append(todo.pop())
@@ -216,7 +216,7 @@ def bends(first, second, third, length):
         for item in (first, second, third):
             count = (length - sign * item.arrival) / (2 * item.swing)
             whole = floor(count + 0.5)
-            if abs(count - whole) < reach and (whole > 0 or whole == 0 and sign > 0):
+            if abs(count - whole) < reach and (whole > 0 or (whole == 0 and sign > 0)):
                 return True
     return False
 

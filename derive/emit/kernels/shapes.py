@@ -32,8 +32,10 @@ def angle_and_position(equilibrium, s):
     """θ, θ′, y and z at an arc length s from the clamp."""
     rod, swing = equilibrium.rod, equilibrium.swing
     if swing is None:
-        share = s / ldexp(rod.length, -rod.scale)
-        return equilibrium.tip_angle + 0 * s, 0 * s, equilibrium.y * share, equilibrium.z * share
+        length = ldexp(rod.length, -rod.scale)
+        share, left, bend = s / length, length - s, equilibrium.clamp_curvature
+        angle = equilibrium.tip_angle - bend * left * (left / length) / 2
+        return angle, bend * (left / length), equilibrium.y * share, equilibrium.z * share
     sigma = rod.length - ldexp(s, rod.scale)
     count = floor(sigma / swing.length)
     within = sigma - count * swing.length

@@ -1,0 +1,1456 @@
+"""Bifurcations of a rod of length 80, clamped at 3π/4 to the force: NumPy, double precision.
+
+Emitted by `derive emit` from the scene 'bifurcation': do not edit, change the scene, the theory or the kernels.
+
+Gives: equilibria, sweep.
+Load case: parallel. Valid for beta >= 0, eta >= 0.
+Constants folded: length = 80, clamp_angle = 3*pi/4.
+Digest of the inputs: sha256 48fbab01825824a2e633d32d8b8f5a16b0e2447500e652bdce4c7f8be0ed0f8c
+"""
+
+from __future__ import annotations
+
+from cmath import log as complex_log
+from cmath import sqrt as complex_sqrt
+from dataclasses import dataclass
+from math import asin, atan2, ceil, cos, exp, floor, frexp, hypot, inf, isfinite, ldexp, log, pi, sin, sqrt
+from operator import index
+from typing import Any, NamedTuple
+
+import numpy as np
+
+__all__ = ["Equilibrium", "Sweep", "equilibria", "sweep"]
+
+
+# Special functions
+
+
+def real(name: str, value: object) -> float:
+    """A finite real number as a float; TypeError or ValueError names the argument that is none."""
+    numeric = getattr(getattr(value, "dtype", None), "kind", "f") in "fiu" and not getattr(value, "ndim", 0)
+    if isinstance(value, (str, bytes, bool, complex)) or not numeric or not hasattr(value, "__float__"):
+        raise TypeError(f"{name} must be a real number, got {value!r}")
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} must be a real number, got {value!r}") from None
+    except OverflowError:
+        raise ValueError(f"{name} must be finite, got a number too large for a double") from None
+    if not isfinite(number):
+        raise ValueError(f"{name} must be finite, got {value!r}")
+    return number
+
+
+def less_quarters(angle, quarters):
+    """angle − quarters·π/2, with π/2 in two parts of which the first has 33 bits, so that nothing is lost."""
+    return (angle - quarters * 1.5707963267341256) - quarters * 6.077100506506192e-11
+
+
+def epsilon() -> float:
+    """The spacing of numbers just above 1."""
+    return 2.0**-52
+
+
+def pick(condition, yes, no):
+    """``yes`` where the condition holds, else ``no``."""
+    return yes if condition else no
+
+
+def any_of(condition):
+    """Whether the condition holds anywhere."""
+    return condition
+
+
+def larger(x, y):
+    """The larger one."""
+    return x if x > y else y
+
+
+def spacing(x):
+    """The spacing of numbers just above 1, in the precision of x."""
+    return 2.0**-52
+
+
+def deepest(width):
+    """How far down, in the logarithm of the share of a width, the square of an offset is still a number."""
+    return max(40.0, 300 + log(width))
+
+
+def complex_of(real, imaginary):
+    """The complex number of a real and an imaginary part."""
+    return complex(real, imaginary)
+
+
+def arctan_share(z, end):
+    """R_C(1, end) for complex end = 1 + z: arctan(√z)/√z, by its series where z is small (DLMF 19.2.18)."""
+    if abs(z) < 1e-3:
+        return 1 - z * (1 / 3 - z * (1 / 5 - z * (1 / 7 - z * (1 / 9 - z / 11))))
+    root = complex_sqrt(-z)
+    return complex_log((1 + root) * (1 + root) / end) / (2 * root)
+
+
+# Solver
+
+
+class Motion(NamedTuple):
+    """A motion from rest at the tip through the clamp angle to rest at the far turning point, and back.
+
+    With χ from 0 at the tip to π at the far turning point, dσ = dχ/√(end² cos²χ + middle² sin²χ).
+    """
+
+    tip: float  # the tip angle, in the turn of the landscape
+    half_width: float
+    done: float  # clamp − tip
+    left: float  # far turning point − clamp
+    near_moment: float  # θ″ at the tip
+    far_moment: float  # −θ″ at the far turning point
+    near: float  # 2θ″/sin(half_width) at the tip
+    far: float  # the same at the far turning point
+    end: float
+    middle: float
+    sine: float  # sin(half_width)
+    half_cosine: float  # cos(half_width/2)
+    uneven: float  # √far − √near
+    done_sine: float  # sin(done/2)
+    left_sine: float  # sin(left/2)
+
+
+class Stay(NamedTuple):
+    """A motion, and the lengths for which it stays near its tip, its middle, and its far turning point besides."""
+
+    motion: Motion
+    tip: float
+    middle: float
+    far: float
+    arrival: float
+
+
+class Arc(NamedTuple):
+    """A stretch of rod from the tip: ∫cos θ, ∫sin θ and η∫cos²(θ − α)."""
+
+    y: float
+    z: float
+    square: float
+
+
+@dataclass(frozen=True, slots=True)
+class Swing:
+    """A half-swing of a bent rod, for its shape: how it was found, its length, and its arc. turns: of the clamp."""
+
+    stay: Stay
+    turns: int
+    length: float
+    arc: Arc
+    middle_angle: float
+    far_angle: float
+
+
+def not_negative(name: str, value: object) -> float:
+    """A real number ≥ 0, or an error that names the argument."""
+    number = real(name, value)
+    if number < 0:
+        raise ValueError(f"{name} must not be negative, got {value!r}")
+    return abs(number)  # no negative zero
+
+
+def idle_rod():
+    """The rod on which nothing acts."""
+    y, z = 80.0 * cos(0.75 * pi), 80.0 * sin(0.75 * pi)
+    return Equilibrium(0.75 * pi, 0.0, 0.0, y, z, 0.0, 0, None)
+
+
+@dataclass(frozen=True, slots=True)
+class Rod:
+    """A rod in units in which β + η is of order one: lengths are 2**scale times the user's.
+
+
+    """
+
+    beta: float
+    eta: float
+    length: float
+    clamp_angle: float
+    side: int
+    scale: int
+
+
+class Rest(NamedTuple):
+    """A direction without moment: angle = quarters·π/2 + extra.
+
+    stiffness: dθ″/dθ there, positive on a hill. double_cosine, double_sine: of 2(angle − α).
+    """
+
+    quarters: int
+    extra: float
+    angle: float
+    stiffness: float
+    double_cosine: float
+    double_sine: float
+
+
+class Landscape(NamedTuple):
+    """The directions of one turn, from the highest hill to the same hill a turn on: hill, well(, ridge, well), hill.
+
+    level: the ridge is as high as the hill. even: V is symmetric about every hill and well.
+    """
+
+    rests: tuple[Rest, ...]
+    level: bool
+    even: bool
+
+
+def along(beta, quarters, sign):
+    """A direction along or against the force, no field: what it is about the field is not asked."""
+    return Rest(quarters, 0, quarters * (pi / 2), sign * beta, 1, 0)
+
+
+def no_field(beta):
+    """The force alone."""
+    return Landscape((along(beta, 0, 1), along(beta, 2, -1), along(beta, 4, 1)), False, True)
+
+
+def parallel_alone(eta):
+    """The field without force: hills along and against it, wells across."""
+    top, side, again = (Rest(quarters, 0, quarters * (pi / 2), eta, 1, 0) for quarters in (0, 2, 4))
+    first, second = (Rest(quarters, 0, quarters * (pi / 2), -eta, -1, 0) for quarters in (1, 3))
+    return Landscape((top, first, side, second, again), True, True)
+
+
+def parallel_double(beta, eta):
+    """The field along a weaker force: hills at 0 and, lower, at π."""
+    top, again = (Rest(quarters, 0, quarters * (pi / 2), eta + beta, 1, 0) for quarters in (0, 4))
+    side = Rest(2, 0, pi, eta - beta, 1, 0)
+    lean = atan2(beta, sqrt((eta - beta) * (eta + beta)))
+    softness = (eta - beta) * (eta + beta) / eta
+    cosine = 2 * (beta / eta) * (beta / eta) - 1
+    sine = -2 * (beta / eta) * sqrt((eta - beta) * (eta + beta)) / eta
+    first = Rest(1, lean, pi / 2 + lean, -softness, cosine, sine)
+    second = Rest(3, -lean, 3 * (pi / 2) - lean, -softness, cosine, -sine)
+    return Landscape((top, first, side, second, again), False, True)
+
+
+def parallel_single(beta, eta):
+    """The field along a force that is not weaker: one hill, at 0."""
+    top, again = (Rest(quarters, 0, quarters * (pi / 2), eta + beta, 1, 0) for quarters in (0, 4))
+    return Landscape((top, Rest(2, 0, pi, eta - beta, 1, 0), again), False, True)
+
+
+def landscape(beta, eta):
+    """Hills and wells for a field angle in (−π/2, π/2]."""
+    if eta == 0:
+        return no_field(beta)
+    if beta == 0:
+        return parallel_alone(eta)
+    return parallel_double(beta, eta) if eta > beta else parallel_single(beta, eta)
+
+
+def offset_from(rest, angle, turns):
+    """angle − (rest + turns·2π), without cancellation; 0 where no angle within rounding of this tells them apart."""
+    offset = less_quarters(angle, 4 * turns + rest.quarters) - rest.extra
+    blur = epsilon() * (abs(angle) + abs(rest.extra))
+    return pick((abs(offset) <= blur) | (abs(offset) < epsilon() ** 9), 0, offset)
+
+
+class Clamp(NamedTuple):
+    """The clamp angle in a landscape: whole turns, and its offset from each direction without moment."""
+
+    turns: int
+    offsets: tuple[float, ...]
+
+
+def clamp_in(rests, angle):
+    """Whole turns such that the clamp lies from the first hill up to, but not at, its like a turn on."""
+    turns = floor((angle - rests[0].angle) / (2 * pi))
+    for _ in range(3):
+        offsets = tuple(offset_from(rest, angle, turns) for rest in rests)
+        shift = pick(offsets[0] < 0, -1, pick(offsets[-1] >= 0, 1, 0))
+        if not any_of(shift != 0):
+            break
+        turns = turns + shift
+    return Clamp(turns, offsets)
+
+
+class Ground(NamedTuple):
+    """What the ranges of a rod are told by: its landscape and the clamp's offsets from the directions there.
+
+    drop: V(hill) − V(ridge); level: from the hill to the level of the ridge; height: V(ridge) − V(clamp). They are 0
+    where no ridge is lower than the hill.
+    """
+
+    eta: float
+    scene: Landscape
+    at: tuple[float, ...]
+    drop: float
+    level: float
+    height: float
+
+
+def level_ground(eta, scene, at):
+    """The ground without a ridge lower than the hill."""
+    return Ground(eta, scene, at, 0, 0, 0)
+
+
+def ridge_fall(beta, eta, hill, ridge):
+    """V(hill) − V(ridge): the sine of half their distance times the slope of V between, as if it were a circle."""
+    half, middle = (ridge.extra - hill.extra) / 2, pi / 2 + (hill.extra + ridge.extra) / 2
+    return cos(half) * (2 * beta * sin(middle) - eta * sin(half) * sin(2 * middle))
+
+
+def fall_from_rest(eta, stiffness, double_cosine, double_sine, middle, half):
+    """V(middle − half) − V(middle + half), with both angles measured from a direction without moment."""
+    wide, narrow = sin(middle / 2), sin(half / 2)
+    even = wide * wide + cos(middle) * narrow * narrow
+    odd = wide * sin(1.5 * middle) + cos(2 * middle) * narrow * narrow
+    return 2 * sin(half) * (sin(middle) * (stiffness - 2 * eta * double_cosine * even) - eta * double_sine * odd)
+
+
+def fall(eta, rest, start, change):
+    """V(start) − V(start + change), from a start measured from a direction without moment."""
+    half = change / 2
+    return fall_from_rest(eta, rest.stiffness, rest.double_cosine, rest.double_sine, start + half, half)
+
+
+def moment_from_rest(eta, stiffness, double_cosine, double_sine, offset):
+    """θ″ = −V′ at an offset from a direction without moment."""
+    half = sin(offset / 2)
+    return sin(offset) * (stiffness - 2 * eta * double_cosine * half * half) - eta * double_sine * half * sin(
+        1.5 * offset
+    )
+
+
+def slope(eta, rest, offset):
+    """θ″ at an offset from a direction without moment."""
+    return moment_from_rest(eta, rest.stiffness, rest.double_cosine, rest.double_sine, offset)
+
+
+def reach(eta, rest, amount, most, side):
+    """The distance from a hill (or a well) at which V is lower (or higher) by ``amount``, to one side.
+
+    most: the distance of the next well (or hill). Newton's method for the square root of the difference, which is
+    nearly linear, from the pendulum's value.
+    """
+    share = amount / abs(fall(eta, rest, 0, side * most))
+    near = most * asin(sqrt(pick(share < 1, share, 1))) * (2 / pi)
+    goal, moving = sqrt(amount), True
+    for _ in range(40):
+        here = sqrt(abs(fall(eta, rest, 0, side * near)))
+        force = larger(abs(slope(eta, rest, side * near)), epsilon() ** 20)
+        trial = near - 2 * here * (here - goal) / force
+        trial = pick(trial > most, (near + most) / 2, pick(trial < 0, near / 2, trial))
+        # Newton's method squares the error: after a step this small the next one would change nothing.
+        moving, near = abs(trial - near) > spacing(trial) ** 0.6 * near, trial
+        if not any_of(moving):
+            break
+    return near
+
+
+def ridge_ground(eta, scene, at, drop):
+    """The ground with a lower ridge."""
+    rests = scene.rests
+    level = reach(eta, rests[0], drop, rests[1].angle - rests[0].angle, 1)
+    return Ground(eta, scene, at, drop, level, fall(eta, rests[2], 0, at[2]))
+
+
+def ground_of(beta, eta, scene, clamp):
+    """The ground of a rod."""
+    rests, at = scene.rests, clamp.offsets
+    if len(rests) == 3:
+        return level_ground(eta, scene, at)
+    drop = 0 if scene.level else ridge_fall(beta, eta, rests[0], rests[2])
+    # A ridge lower by less than this would be passed only from within its square root of the hill.
+    if drop <= epsilon() ** 17 * (beta + eta):
+        return level_ground(eta, scene._replace(level=True, even=True), at)
+    return ridge_ground(eta, scene, at, drop)
+
+
+def in_basin(at, first, inside, builders):
+    """The range of a clamp inside a basin: one before the well and at it, another beyond."""
+    return [(inside & (at[first + 1] <= 0), builders[0]), (inside & (at[first + 1] > 0), builders[1])]
+
+
+def pick_rest(condition, yes, no):
+    """One or the other direction, number by number."""
+    return Rest(*(pick(condition, *pair) for pair in zip(yes, no, strict=True)))
+
+
+class Basin(NamedTuple):
+    """What stops the rod and what it swings about: the hill that tips come from and the well below them, the hill
+    that stops the motion and the last well before it, and the direction where it is slowest between its ends: the
+    ridge that it passes, or the well.
+
+    far_rise: V(far) − V(hill). even: the motion is symmetric about its middle.
+    """
+
+    hill: Rest
+    well: Rest
+    far: Rest
+    far_well: Rest
+    axis: Rest
+    far_rise: float
+    passes: bool
+    even: bool
+
+
+class Piece(NamedTuple):
+    """Tip angles from low to low + width in a basin; angles as differences, told without loss.
+
+    low_kind: 'hill', or 'level', where V is that of the ridge. high_kind: 'clamp', the clamp angle itself; 'turn', the
+    angle from which the rod turns back at the clamp angle; 'level'.
+    """
+
+    basin: Basin
+    low_kind: str
+    high_kind: str
+    low_offset: float  # low − hill
+    width: float
+    high_depth: float  # well − high
+    clamp_gap: float  # clamp − high
+    level_gap: float  # the angle at the level of the ridge − high, of a motion that passes it
+    clamp_rest: Rest  # the direction next to the clamp
+    clamp_offset: float  # clamp − that direction
+    far_gap: float  # far − clamp
+
+
+def piece_of(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, at):
+    """The record of a range."""
+    rests = (basin.hill, basin.well, basin.axis, basin.far_well, basin.far) if basin.passes else basin[:3]
+    rest, offset = rests[0], at[0]
+    for other, distance in zip(rests[1:], at[1:], strict=False):
+        closer = abs(distance) < abs(offset)
+        rest, offset = pick_rest(closer, other, rest), pick(closer, distance, offset)
+    last = at[len(rests) - 1]
+    return Piece(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last)
+
+
+def from_hill_to_clamp(basin, at):
+    """From a hill to a clamp before the well."""
+    return piece_of(basin, "hill", "clamp", 0, at[0], -at[1], 0, 0, at)
+
+
+def basin_of(ground, first):
+    """The basin between two neighbouring hills."""
+    scene = ground.scene
+    hill, well, far = scene.rests[first : first + 3]
+    even = scene.even and (scene.level or len(scene.rests) == 3)
+    return Basin(hill, well, far, well, well, ground.drop if first else 0, False, even)
+
+
+def first_clamp(ground):
+    """From the first hill to the clamp."""
+    return from_hill_to_clamp(basin_of(ground, 0), ground.at[:3])
+
+
+def from_hill_to_turn(eta, basin, at):
+    """From a hill to where the rod turns back at a clamp beyond the well."""
+    down, depth = basin.well.angle - basin.hill.angle, at[1]
+    width = -at[2]
+    if not basin.even:
+        above = -fall(eta, basin.well, 0, at[1])
+        below = fall(eta, basin.far, 0, at[2]) - basin.far_rise
+        from_top = reach(eta, basin.hill, larger(below, 0), down, 1)
+        from_well = reach(eta, basin.well, above, down, -1)
+        depth = pick(below < above, down - from_top, from_well)
+        width = pick(below < above, from_top, down - from_well)
+    return piece_of(basin, "hill", "turn", 0, width, depth, depth + at[1], 0, at)
+
+
+def first_turn(ground):
+    """From the first hill to where the rod turns back at the clamp."""
+    return from_hill_to_turn(ground.eta, basin_of(ground, 0), ground.at[:3])
+
+
+def last_clamp(ground):
+    """From the second hill to the clamp."""
+    return from_hill_to_clamp(basin_of(ground, 2), ground.at[2:])
+
+
+def last_turn(ground):
+    """From the second hill to where the rod turns back at the clamp."""
+    return from_hill_to_turn(ground.eta, basin_of(ground, 2), ground.at[2:])
+
+
+def over_ridge(ground):
+    """What stops a motion that passes the ridge."""
+    hill, well, ridge, second, far = ground.scene.rests
+    return Basin(hill, well, far, second, ridge, 0, True, ground.scene.even)
+
+
+def pass_clamp(ground):
+    """From the highest hill to a clamp above the level of the ridge."""
+    at = ground.at
+    return piece_of(over_ridge(ground), "hill", "clamp", 0, at[0], -at[1], 0, ground.level - at[0], at)
+
+
+def pass_level(ground):
+    """From the highest hill to the level of the ridge."""
+    over, level, at = over_ridge(ground), ground.level, ground.at
+    return piece_of(over, "hill", "level", 0, level, over.well.angle - over.hill.angle - level, at[0] - level, 0, at)
+
+
+def onward(eta, rest, start, amount, rough):
+    """How far beyond ``start``, an offset from a direction without moment, V has fallen by ``amount``.
+
+    The rough value is good to rounding of the angles; where little of it is left, the slope of V at the start gives a
+    better one. Newton's method does the rest.
+    """
+    distance = pick(abs(rough) > 1e-3 * abs(start), rough, amount / slope(eta, rest, start))
+    for _ in range(40):
+        force = slope(eta, rest, start + distance)
+        step = (fall(eta, rest, start, distance) - amount) / pick(force == 0, 1, force)
+        distance = pick(abs(distance - step) > pi, rough, distance - step)
+        if not any_of(abs(step) > spacing(distance) ** 0.6 * abs(distance)):
+            break
+    return distance
+
+
+def pass_turn(ground):
+    """From the highest hill to where the rod turns back at a clamp above the level of the ridge, beyond it."""
+    eta, over, level, at = ground.eta, over_ridge(ground), ground.level, ground.at
+    down = over.well.angle - over.hill.angle
+    width = -at[4] if over.even else reach(eta, over.hill, fall(eta, over.far, 0, at[4]), down, 1)
+    gap = -onward(eta, over.hill, level, ground.height, width - level)
+    return piece_of(over, "hill", "turn", 0, width, down - width, at[0] - width, gap, at)
+
+
+def level_clamp(ground):
+    """From the level of the ridge to the clamp."""
+    level, at = ground.level, ground.at
+    return piece_of(basin_of(ground, 0), "level", "clamp", level, at[0] - level, -at[1], 0, 0, at)
+
+
+def level_turn(ground):
+    """From the level of the ridge to where the rod turns back at the clamp, before the ridge."""
+    eta, basin, level, at = ground.eta, basin_of(ground, 0), ground.level, ground.at
+    down = basin.well.angle - basin.hill.angle
+    above, below = -fall(eta, basin.well, 0, at[1]), fall(eta, basin.far, 0, at[2])
+    from_well = reach(eta, basin.well, above, down, -1)
+    width = onward(eta, basin.hill, level, below, down - level - from_well)
+    return piece_of(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
+
+
+def ranges(ground):
+    """Every range that a landscape of this kind can have: whether the rod has it, and its builder. From low to high."""
+    at = ground.at
+    if len(at) == 3:
+        return in_basin(at, 0, at[0] > 0, (first_clamp, first_turn))
+    if ground.scene.level:
+        first = in_basin(at, 0, (at[0] > 0) & (at[2] < 0), (first_clamp, first_turn))
+        return first + in_basin(at, 2, at[2] > 0, (last_clamp, last_turn))
+    before, above = at[2] <= 0, at[0] <= ground.level
+    last = (at[2] > 0) & (ground.height > 0)
+    return [
+        (before & above & (at[0] > 0), pass_clamp),
+        ((before & (at[0] > ground.level)) | last, pass_level),
+        ((at[2] > 0) & (ground.height <= 0), pass_turn),
+        *in_basin(at, 0, (at[0] > ground.level) & (at[2] < 0), (level_clamp, level_turn)),
+        *in_basin(at, 2, last, (last_clamp, last_turn)),
+    ]
+
+
+def pieces(beta, eta, scene, clamp):
+    """All ranges of tip angles below the clamp angle."""
+    ground = ground_of(beta, eta, scene, clamp)
+    return [build(ground) for here, build in ranges(ground) if here]
+
+
+class Delay(NamedTuple):
+    """By how much a motion lasts longer when the place goes deeper by one, where that is all that changes.
+
+    Near an end the rod is straight for long along the directions at which the motion nearly rests: at the tip, in the
+    middle, and at the far turning point. arrival: the share of ``middle`` before the first arrival.
+    """
+
+    deepest: float
+    tip: float
+    middle: float
+    far: float
+    arrival: float
+
+
+def slowness(hill):
+    """Length per unit of the logarithm of the distance from a hill; a flat one is never come near enough to count."""
+    return 1 / sqrt(hill.stiffness) if hill.stiffness > 0 else 0
+
+
+def ridge_offset(piece):
+    """Clamp less ridge, for a motion that passes the ridge."""
+    ridge, rest = piece.basin.axis, piece.clamp_rest
+    return piece.clamp_offset if rest.angle == ridge.angle else rest.angle - ridge.angle
+
+
+def delays(piece):
+    """The delays at both ends, beyond the depth at which squares of offsets would underflow."""
+    basin, depth = piece.basin, deepest(piece.width)
+    far = slowness(basin.far)
+    if piece.low_kind == "level":
+        return Delay(depth, 0, 0, far / 2, 0), Delay(inf, 0, 0, 0, 0)
+    low = Delay(depth, slowness(basin.hill), 0, far if basin.far_rise == 0 else 0, 0)
+    if piece.high_kind != "level":
+        return low, Delay(inf, 0, 0, 0, 0)
+    ridge = slowness(basin.axis)
+    behind = ridge_offset(piece)
+    return low, Delay(depth, 0, ridge, 0, ridge if behind > 0 else ridge / 2 if behind == 0 else 0)
+
+
+def within(sine):
+    """A sine that rounding may have brought beyond 1."""
+    return pick(sine < 1, sine, 1)
+
+
+def parallel_side(beta, eta, piece, rise, drop, from_hill, depth):
+    """``far_side`` within a well for a field along the force: the cosines of the turning points add up to −2β/η."""
+    basin = piece.basin
+    if piece.low_kind == "level":
+        low, high = sin(rise / 2) * sin(piece.low_offset + rise / 2), beta / eta + cos(from_hill / 2) ** 2
+    else:
+        low = sin(rise / 2) ** 2
+        low, high = beta / eta + low, (eta - beta) / eta - low
+    # sin² and cos² of half the distance from the far turning point to the far hill.
+    low, high = sqrt(larger(low, 0)), sqrt(larger(high, 0))
+    distance = 2 * atan2(low, high)
+    down = basin.far.angle - basin.far_well.angle
+    dip = sin(from_hill + depth / 2) * sin(depth / 2)
+    up = 2 * asin(within(dip / sin((down + distance) / 2)))
+    if piece.high_kind == "turn":
+        share = sin(from_hill + drop / 2) * sin(drop / 2) / sin((piece.far_gap + distance) / 2)
+        left = 2 * asin(within(share))
+    else:
+        left = up + piece.high_depth
+    return (up + depth) / 2, left, 4 * eta * dip * low * high, distance
+
+
+def reach_either(eta, hill, well, by_hill, amount, most):
+    """``reach`` down from the hill, or up from the well, whichever is asked for."""
+    rest = hill._replace(
+        stiffness=pick(by_hill, hill.stiffness, well.stiffness),
+        double_cosine=pick(by_hill, hill.double_cosine, well.double_cosine),
+        double_sine=pick(by_hill, hill.double_sine, well.double_sine),
+    )
+    return reach(eta, rest, amount, most, pick(by_hill, -1, 1))
+
+
+def beyond_clamp(eta, piece, drop, rough):
+    """How far the motion goes beyond the clamp, when the tip is ``drop`` below the one that turns there.
+
+    V falls by the same amount on both sides. The rough value is as good as its difference to the clamp's distance
+    from a hill or a well allows.
+    """
+    basin, rest, start = piece.basin, piece.clamp_rest, piece.clamp_offset
+    high = -piece.high_depth
+    amount = fall(eta, basin.well, high - drop, drop)
+    return pick(rough > 0.25 * abs(start), rough, onward(eta, rest, start, -amount, rough))
+
+
+def far_side(eta, piece, rise, drop, depth, done):
+    """Half the width of the motion, how far it goes on beyond the clamp, and the moment where it turns."""
+    basin = piece.basin
+    hill, well, far, far_well = basin.hill, basin.well, basin.far, basin.far_well
+    down = far.angle - far_well.angle
+    if piece.low_kind == "level":
+        below = fall(eta, hill, piece.low_offset, rise)
+    else:
+        below = basin.far_rise + fall(eta, hill, 0, rise)
+    if basin.passes:
+        above = -fall(eta, far_well, 0, down) - below
+    else:
+        above = -fall(eta, well, 0, -depth)
+    by_hill = below < above
+    distance = reach_either(eta, far, far_well, by_hill, pick(by_hill, below, above), down)
+    turn = pick(by_hill, down - distance, distance)  # far turning point − far_well
+    clamp_turn = down - piece.far_gap  # clamp − far_well
+    left = pick(by_hill, piece.far_gap - distance, distance - clamp_turn)
+    if basin.passes:
+        half_width = (turn + depth + (far_well.angle - well.angle)) / 2
+    else:
+        half_width = (turn + depth) / 2
+    far_moment = pick(by_hill, slope(eta, far, -distance), slope(eta, far_well, distance)) * -1
+    if piece.high_kind == "turn":
+        left = beyond_clamp(eta, piece, drop, left)
+    return half_width, left, far_moment, pick(by_hill, distance, down - distance)
+
+
+def unevenness(eta, middle, sine, near, far):
+    """√far − √near: by the roots, or by far − near = 2η sin 2(middle − α) sin(half_width) where that is less."""
+    by_turns = 2 * eta * sin(2 * middle) * sine / (sqrt(near) + sqrt(far))
+    return pick(near + far < 2 * eta * sine, sqrt(far) - sqrt(near), by_turns)
+
+
+def wrapped(angle):
+    """The angle less whole turns, between −π and π."""
+    return angle - 2 * pi * floor(angle / (2 * pi) + 0.5)
+
+
+def above_field(eta, basin, middle, half_width, height):
+    """``mean`` less η where they are near each other: 2(V(tip) − V)/(cos(θ − middle) − cos(half_width)) at the θ at
+    which it is least, which lies then near the ridge or the well."""
+    axis = basin.axis
+    shift = wrapped(2 * -middle)
+    offset = wrapped(middle + shift - axis.angle)
+    # As near the ridge as rounding it is nearer still: it is there to the second order in the height.
+    offset = pick(abs(offset) < 32 * spacing(offset), 0, offset)
+    outer, inner = sin(half_width / 2), sin(shift / 2)
+    return (height + fall(eta, axis, 0, offset)) / pick(
+        outer * outer == inner * inner, 1, outer * outer - inner * inner
+    )
+
+
+def rates(beta, eta, basin, tip, half_width, sine, near, far, height):
+    """dχ/dσ at the ends and in the middle of the motion."""
+    middle, cosine = tip + half_width, cos(half_width)
+    double = 2 * middle
+    product = sqrt(near) * sqrt(far)
+    excess = -(2 * beta * cos(middle) * cosine + eta * cos(double) * (1 + cosine * cosine))
+    mean = -(2 * beta * cos(middle) + eta * cosine * cos(double))
+    apart = mean - eta
+    close = above_field(eta, basin, middle, half_width, height)
+    apart = pick(apart > 0.1 * eta, apart, close)
+    split = sine * sqrt(larger(apart * (mean + eta), 0) / pick(excess < 0, product - excess, 1))
+    return sqrt(product / 2), pick(excess < 0, split, sqrt(product + larger(excess, 0))) / 2
+
+
+def motion_at(beta, eta, piece: Piece, place):
+    """The motion of the tip at a place of a piece: −∞ is its low end, +∞ its high end."""
+    basin = piece.basin
+    rise, drop = piece.width / (1 + exp(-place)), piece.width / (1 + exp(place))
+    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
+    upper = from_hill < depth
+    hill, well = basin.hill, basin.well
+    offset = pick(upper, from_hill, -depth)
+    stiffness = pick(upper, hill.stiffness, well.stiffness)
+    double_cosine = pick(upper, hill.double_cosine, well.double_cosine)
+    double_sine = pick(upper, hill.double_sine, well.double_sine)
+    tip = pick(upper, hill.angle, well.angle) + offset
+    near_moment = moment_from_rest(eta, stiffness, double_cosine, double_sine, offset)
+    # How far V falls from the tip to the well, or to the level of a ridge that the motion passes.
+    change = (drop + piece.level_gap if basin.passes else depth) / 2
+    height = fall_from_rest(eta, stiffness, double_cosine, double_sine, offset + change, change)
+    done = piece.clamp_gap + drop
+    if basin.even:
+        half_width = depth + (basin.axis.angle - well.angle)
+        left = 2 * half_width - done if piece.high_kind != "turn" else drop
+        far_moment, far_distance = near_moment, from_hill
+    elif not basin.passes:
+        half_width, left, far_moment, far_distance = parallel_side(beta, eta, piece, rise, drop, from_hill, depth)
+    else:
+        half_width, left, far_moment, far_distance = far_side(eta, piece, rise, drop, depth, done)
+    # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
+    whole_turn = basin.far.quarters - hill.quarters == 4 and basin.far.extra == hill.extra
+    lack = (from_hill + far_distance) / 2 if whole_turn else pi - half_width
+    sine = sin(pick(lack < half_width, lack, half_width))
+    near, far = 2 * near_moment / sine, 2 * far_moment / sine
+    uneven = 0 if basin.even else unevenness(eta, tip + half_width, sine, near, far)
+    # done/2 + left/2 = half_width: near half a turn one follows from the other.
+    done_sine = sin(pick(done > pi, lack + left / 2, done / 2))
+    left_sine = sin(pick(left > pi, lack + done / 2, left / 2))
+    end, middle = rates(beta, eta, basin, tip, half_width, sine, near, far, height)
+    half_cosine = sin(lack / 2)
+    return Motion(
+        tip,
+        half_width,
+        done,
+        left,
+        near_moment,
+        far_moment,
+        near,
+        far,
+        end,
+        middle,
+        sine,
+        half_cosine,
+        uneven,
+        done_sine,
+        left_sine,
+    )
+
+
+def stay_at(beta, eta, piece, ends, place):
+    """The motion of the tip at a place, however deep."""
+    low, high = ends
+    delay = low if place < 0 else high
+    depth = min(abs(place), delay.deepest)
+    more = abs(place) - depth
+    motion = motion_at(beta, eta, piece, -depth if place < 0 else depth)
+    return Stay(motion, more * delay.tip, more * delay.middle, more * delay.far, more * delay.arrival)
+
+
+class Phase(NamedTuple):
+    """Where on its half-swing the motion meets the clamp.
+
+    The length from the tip is ∫dψ/√(a² cos²ψ + b² sin²ψ) from 0 to ψ, with a and b half of ``end`` and ``middle``; the
+    half-swing ends at ψ = π/2. whole, delta: what the speed there follows from.
+    """
+
+    square: float  # sin²ψ
+    rest: float  # cos²ψ
+    whole: float
+    delta: float
+
+
+def phase_of(motion):
+    """The phase of the clamp, from χ by the duplication of an elliptic argument (DLMF 22.6(iii))."""
+    near, far = sqrt(motion.near), sqrt(motion.far)
+    done, left = far * motion.done_sine, near * motion.left_sine
+    # left − done, where the motion is symmetric by the sines, and else by the difference of its ends.
+    ahead = 2 * near * motion.half_cosine * sin((motion.left - motion.done) / 4)
+    ahead = ahead - motion.uneven * motion.done_sine
+    whole = done + left
+    square, cosine = 4 * (done / whole) * (left / whole), ahead / whole
+    a, b = motion.end, motion.middle
+    delta = hypot(a * cosine, b * sqrt(square))
+    first = cosine >= 0
+    versine = pick(first, square / (1 + abs(cosine)), 1 - cosine)
+    along = pick(first, delta + a * cosine, b * b * square / (delta + a * abs(cosine)))
+    return Phase(a * versine / (a + delta), along / (a + delta), whole, delta)
+
+
+def lengths(a, b, square, rest):
+    """The complete and the incomplete integral of 1/√(a² cos²ψ + b² sin²ψ), by sin²ψ and cos²ψ.
+
+    Gauss's transformation makes a and b equal (DLMF 19.8(i), 19.8(iii)); it is written in sums of positive terms only.
+    """
+    limit, more = 2 * epsilon() ** 0.5, True
+    while more:
+        more = any_of(abs(a - b) > limit * a)
+        delta = sqrt(a * a * rest + b * b * square)
+        total, below = a + b, a + delta
+        inner = a + (a * a + b * b * square) / (delta + b * square)
+        scale = below * below
+        square, rest = total * total * square / scale, 2 * a * rest * inner / scale
+        a, b = total / 2, sqrt(a * b)
+    mean = (a + b) / 2
+    return pi / (2 * mean), atan2(sqrt(square), sqrt(rest)) / mean
+
+
+def times(motion):
+    """Half-swing, and the length from the tip to the clamp."""
+    phase = phase_of(motion)
+    return lengths(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
+
+
+class Sample(NamedTuple):
+    """Half-swing and first arrival at a place of a piece."""
+
+    place: float
+    swing: float
+    arrival: float
+
+
+def sample_at(beta, eta, piece, ends, place):
+    """The sample at a place."""
+    stay = stay_at(beta, eta, piece, ends, place)
+    swing, arrival = times(stay.motion)
+    return Sample(place, swing + stay.tip + stay.middle + stay.far, arrival + stay.tip + stay.arrival)
+
+
+def bends(first, second, third, length):
+    """Whether the curves bend so much at the second sample that a count may reach a whole number unseen beside it.
+
+    By how far the straight line through two samples misses the third.
+    """
+    share = (third.place - second.place) / (second.place - first.place)
+    swing = third.swing - second.swing - share * (second.swing - first.swing)
+    arrival = third.arrival - second.arrival - share * (second.arrival - first.arrival)
+    least = min(first.swing, second.swing, third.swing)
+    reach = (abs(arrival) + (length / least * abs(swing) if length > least else 0)) / (2 * least)
+    for sign in (1, -1):
+        for item in (first, second, third):
+            count = (length - sign * item.arrival) / (2 * item.swing)
+            whole = floor(count + 0.5)
+            if abs(count - whole) < reach and (whole > 0 or (whole == 0 and sign > 0)):
+                return True
+    return False
+
+
+def refined(sample, samples, length):
+    """More samples where half-swing or arrival bend between neighbours, as far as the rod's length is sensitive."""
+    done, todo = [samples[0]], samples[:0:-1]
+    while todo:
+        before, after = done[-1], todo[-1]
+        apart = after.place - before.place > 1.3
+        beside = [(done[-2], before, after)] if len(done) > 1 else []
+        beside += [(before, after, todo[-2])] if len(todo) > 1 else []
+        if apart and any(bends(one, two, three, length) for one, two, three in beside):
+            todo.append(sample((before.place + after.place) / 2))
+        else:
+            done.append(todo.pop())
+    return done
+
+
+def grid(beta, eta, length, piece):
+    """Places to begin with: near enough where the branches bend, and to where none of them is as short as the rod."""
+    rounding = -log(epsilon())
+    slow = length * sqrt(beta + eta)
+    first = -2 * slow - 6 if piece.low_kind == "level" else -slow - 6
+    first = min(first, -rounding) if piece.low_kind == "level" else first
+    if piece.high_kind == "level":
+        last = 2 * slow + rounding
+    elif piece.high_kind == "turn":
+        last = 2 * rounding
+    elif piece.high_depth == 0:
+        last = rounding
+    else:
+        # The tip of a stiff rod departs from the clamp angle by half the moment there times the length squared.
+        moment = abs(slope(eta, piece.clamp_rest, piece.clamp_offset)) + epsilon() ** 20
+        last = max(rounding, 4 + log(2 * piece.width) - log(moment) - 2 * log(length))
+    inner = [0.0]
+    for side, end in ((-1, -first), (1, last)):
+        inner += [side * place for place in (1.25, 2.5, 5.0, 10.0) if place < end]
+        inner.append(side * end)
+    return sorted(inner)
+
+
+def end_sample(piece, last):
+    """The high end itself, where its times are known: arrival at once, or after the whole half-swing."""
+    if piece.high_kind == "clamp" and piece.clamp_gap == 0 and piece.high_depth > 0:
+        return Sample(last.place + 1e3, last.swing, 0 * last.swing)
+    if piece.high_kind == "turn":
+        return Sample(last.place + 1e3, last.swing, last.swing)
+    return None
+
+
+def between(one, other, count_one, count_other, beside):
+    """The whole numbers from the lower count up to, but not at, the higher one."""
+    low, high = (count_one, count_other) if count_one < count_other else (count_other, count_one)
+    return [(turns, one, other, beside) for turns in range(max(ceil(low), 0), max(ceil(high), 0))]
+
+
+def dip(sample, short, left, middle, right):
+    """The sample at which ``short`` is least between left and right by golden sections, or the first below zero."""
+    golden = (3 - sqrt(5)) / 2
+    value = short(middle)
+    while right.place - left.place > 2 * sqrt(epsilon()) * (1 + abs(middle.place)):
+        wide = right.place - middle.place > middle.place - left.place
+        end = right if wide else left
+        trial = sample(middle.place + golden * (end.place - middle.place))
+        new = short(trial)
+        if new < 0:
+            return trial
+        if new < value:
+            left, right = (middle, right) if wide else (left, middle)
+            middle, value = trial, new
+        elif wide:
+            right = trial
+        else:
+            left = trial
+    return middle
+
+
+def at_extremum(sample, triple, counts, length, sign):
+    """The two crossings beside an extremum of the count that reaches beyond a whole number its samples do not reach."""
+    left, middle, right = triple
+    before, here, after = counts
+    top = here > before
+    # The steeper neighbouring slopes, carried on, bound an extremum of a curve that bends one way.
+    reachable = here + (1 if top else -1) * max(abs(before - here), abs(after - here))
+    goal = ceil(here) if top else floor(here)
+    if (top and (goal > reachable or here == goal)) or (not top and goal < reachable) or goal < 0:
+        return []
+
+    def short(item):
+        count = (length - sign * item.arrival) / (2 * item.swing)
+        return goal - count if top else count - goal
+
+    best = dip(sample, short, left, middle, right)
+    if short(best) >= 0:
+        return []
+    return [(goal, left, best, right), (goal, best, right, left)]
+
+
+def brackets(sample, samples, counts, length, sign):
+    """(turns, sample, sample, a third) for every whole number that the count crosses between the two samples."""
+    found = []
+    for k in range(1, len(samples)):
+        beside = samples[k - 2] if k > 1 else samples[-1] if len(samples) == k + 1 else samples[k + 1]
+        found += between(samples[k - 1], samples[k], counts[k - 1], counts[k], beside)
+    for k in range(1, len(samples) - 1):
+        before, here, after = counts[k - 1 : k + 2]
+        if (before - here) * (after - here) > 0:
+            found += at_extremum(sample, samples[k - 1 : k + 2], (before, here, after), length, sign)
+    return found
+
+
+def excess(item, turns, sign, length):
+    """The length of a branch less the rod's."""
+    return (2 * turns * item.swing if turns else 0) + sign * item.arrival - length
+
+
+def interpolated(a, b, c, value_a, value_b, value_c):
+    """Where on the way from a to b inverse quadratic interpolation puts the zero, or half way where it is unsafe."""
+    if value_c == value_b or value_c == value_a:
+        return 0.5
+    x, y = (a - b) / (c - b), (value_a - value_b) / (value_c - value_b)
+    if x <= 0 or y * y >= x or (1 - y) * (1 - y) >= 1 - x:
+        return 0.5
+    share = value_a / (value_b - value_a) * value_c / (value_b - value_c)
+    return share + (c - a) / (b - a) * value_a / (value_c - value_a) * value_b / (value_c - value_b)
+
+
+def bracketed_root(function, places, values, blur):
+    """A sign change of the function between the first two places, to rounding, by Chandrupatla's method (1997).
+
+    The third place has a value, too. blur: a value that rounding may have made of zero.
+    """
+    (a, b, c), (value_a, value_b, value_c) = places, values
+    fraction = interpolated(a, b, c, value_a, value_b, value_c)
+    if not 0 < fraction < 1:
+        fraction = 0.5
+    while True:
+        trial = a + fraction * (b - a)
+        value = function(trial)
+        if (value > 0) == (value_a > 0):
+            c, value_c = a, value_a
+        else:
+            c, value_c, b, value_b = b, value_b, a, value_a
+        a, value_a = trial, value
+        best, value_best = (a, value_a) if abs(value_a) < abs(value_b) else (b, value_b)
+        least = 2 * epsilon() * (1 + abs(best)) / abs(b - a)
+        if least > 0.5 or abs(value_best) <= blur:
+            return best
+        fraction = min(1 - least, max(least, interpolated(a, b, c, value_a, value_b, value_c)))
+
+
+class Crossing(NamedTuple):
+    """A tip whose rod has the right length, on branch 2·turns·H + sign·t; ``rising``: the branch grows with the tip."""
+
+    place: float
+    turns: int
+    sign: int
+    rising: bool
+
+
+def crossing(sample, turns, sign, length, before, after, beside):
+    """The crossing between two samples on either side of it; a third one beside them helps to start."""
+
+    def function(place):
+        return excess(sample(place), turns, sign, length)
+
+    low, high = excess(before, turns, sign, length), excess(after, turns, sign, length)
+    third = excess(beside, turns, sign, length)
+    points = (before.place, after.place, beside.place), (low, high, third)
+    place = bracketed_root(function, *points, epsilon() * length)
+    return Crossing(place, turns, sign, high > low)
+
+
+def crossings(beta, eta, length, piece, most):
+    """Every crossing of the rod's length on a piece whose index can be at most ``most``, as a list of Crossing."""
+    ends = delays(piece)
+
+    def sample(place):
+        return sample_at(beta, eta, piece, ends, place)
+
+    # No half-swing is shorter than that of the stiffest pendulum.
+    signs = (1,) if length * sqrt(beta + eta) < pi else (1, -1)
+    samples = refined(sample, [sample(place) for place in grid(beta, eta, length, piece)], length)
+    end = end_sample(piece, samples[-1])
+    if end is not None:
+        samples.append(end)
+    found = []
+    for sign in signs:
+        counts = [(length - sign * item.arrival) / (2 * item.swing) for item in samples]
+        for turns, before, after, beside in brackets(sample, samples, counts, length, sign):
+            # At least 2·turns − 1 conjugate points, or one more on the branch that has gone on.
+            if (turns or sign > 0) and 2 * turns - (sign < 0) <= most:
+                found.append(crossing(sample, turns, sign, length, before, after, beside))
+    return found
+
+
+def index_of(crossing):
+    """Number of conjugate points of the free end on the rod (Sturm: one in each half-swing, and a last one or none).
+
+    h = ∂θ/∂θ_ℓ solves the second variation with h = 1, h′ = 0 at the tip; θ′ solves it too and vanishes once a
+    half-swing, so h vanishes once in each. Whether it has vanished in the last, unfinished one is told by the sign
+    of h at the clamp, which is against that of dθ/dσ times the slope of the branch.
+    """
+    swings = 2 * crossing.turns - (1 if crossing.sign < 0 else 0)
+    positive = crossing.rising != (crossing.sign > 0)
+    return swings if positive == (swings % 2 == 0) else swings + 1
+
+
+def lift_of(motion, square, rest):
+    """x + √(X₂X₃), which is small where the motion is nearly a whole turn."""
+    near, far = sqrt(motion.near), sqrt(motion.far)
+    turn = motion.uneven + 2 * near * motion.half_cosine * motion.half_cosine
+    return near * (turn + 2 * far * rest / square) / 8
+
+
+def rj_pair(x, product, root_sum, p, lift, less, twist):
+    """R_J(x, y, z, p) by duplication, for x ≥ 0, complex p, and y and z by √y√z and √y + √z.
+
+    lift, less, twist: p + √y√z, p − x and (p − x)(p − y)(p − z), which the rod gives without cancellation. Sums of
+    positive terms only in x, y, z. Where √p and −√y are near each other, their sum follows from their difference.
+    """
+    pair = root_sum * root_sum - 2 * product
+    mean = start = (x + pair + 2 * p) / 5
+    one, two = start - x, 2 * start - pair
+    both = start * start - start * pair + product * product
+    reach = abs(one) + abs(start - p) + sqrt(abs(both))
+    target = (epsilon() / 4) ** 0.125
+    scale, total = 1, 0
+    while any_of(reach > target * scale * abs(mean)):
+        root, root_p = sqrt(x), complex_sqrt(p)
+        side, across = root_p * root_sum, root * root_sum
+        plus, minus = lift + side, lift - side
+        cancels = (abs(plus) < abs(minus)) & (scale == 1)
+        d = (root_p + root) * pick(cancels, twist / (less * pick(cancels, minus, 1)), plus)
+        raised, lifted = lift + across, sqrt(x + product + across)
+        end = 2 * root_p * raised / d
+        total = total + arctan_share(twist / (scale * scale * scale * d * d), end) / (scale * d)
+        pair = root_sum * (root_sum + 2 * root) / 4
+        x, p = (x + product + across) / 4, raised / 4
+        product, root_sum = root_sum * lifted / 4, sqrt(root_sum * (root_sum + 2 * root + 2 * lifted)) / 2
+        lift, mean = p + product, (x + pair + 2 * p) / 5
+        scale *= 4
+    size = scale * mean
+    a, b, c = one / size, two / size, both / (size * size)
+    d = -(a + b) / 2
+    e2 = a * b + c - 3 * d * d
+    e3 = a * c + 2 * e2 * d + 4 * d * d * d
+    e4 = (2 * a * c + e2 * d + 3 * d * d * d) * d
+    e5 = a * c * d * d
+    low = -3 * e2 / 14 + e3 / 6 + 9 * e2 * e2 / 88 - 3 * e4 / 22 - 9 * e2 * e3 / 52 + 3 * e5 / 26
+    high = -e2 * e2 * e2 / 16 + 3 * e3 * e3 / 40 + 3 * e2 * e4 / 20 + 45 * e2 * e2 * e3 / 272
+    high = high - 9 * (e3 * e4 + e2 * e5) / 68
+    return (1 + low + high) / (scale * mean * complex_sqrt(mean)) + 6 * total
+
+
+def second_kind(a, b, square, rest, arrival):
+    """(b² − a²)∫sin²ψ over the same range as ``arrival``, the length, by the same transformation (DLMF 19.8.19)."""
+    limit, more, weight, total = 2 * epsilon() ** 0.5, True, 1, 0
+    while more:
+        more = any_of(abs(a - b) > limit * a)
+        delta = sqrt(a * a * rest + b * b * square)
+        total = total - weight * (a - b) * (a + b) * (arrival / 2 - sqrt(square * rest) / (a + delta))
+        sum_, below = a + b, a + delta
+        inner = a + (a * a + b * b * square) / (delta + b * square)
+        scale = below * below
+        square, rest = sum_ * sum_ * square / scale, 2 * a * rest * inner / scale
+        a, b, weight = sum_ / 2, sqrt(a * b), 2 * weight
+    return total
+
+
+def second_part(beta, eta, lean, motion, point, square, rest, extent):
+    """d℘/dσ·Re 1/(℘ − ℘(v)) less 2∫(℘ − e₁), by which η∫cos²(θ − α) is told from what does not grow along the rod."""
+    a, b = motion.end / 2, motion.middle / 2
+    strength, x = point.strength, point.pole
+    growth = beta * cos(motion.tip) + eta * cos(2 * lean)
+    cubic = beta * sin(motion.tip) - eta * sin(lean) * cos(lean)
+    first = motion.near * cos(motion.half_width) / 8
+    pair_sum = -growth / 4 - first
+    pair_product = strength * cubic / 4 - first * pair_sum
+    delta = sqrt(a * a * rest + b * b * square)
+    across = sqrt(square * rest)
+    root = sqrt(point.one)
+    far = 4 * delta * across / square - 2 * root * (1 + x * point.product / (x * x + strength * strength))
+    # Towards the tip the terms above are large and cancel; x² − x√(X₂X₃) is told by what X₂X₃ is in x.
+    gap = x * (x * pair_sum - pair_product) / (abs(x) + point.product)
+    near = 4 * (b - a) * (b + a) * across / delta
+    near = near + 2 * root * (strength * strength + gap) / (x * x + strength * strength)
+    kink = pick(x > 1, near, far)
+    return kink + 4 * second_kind(a, b, square, rest, extent) + 2 * (a * a - first) * extent
+
+
+def arc_to(beta, eta, motion, point, square, rest, extent):
+    """The arc from the tip to a point, at ψ, of the given length."""
+    lean = motion.tip
+    strength = point.strength
+    spread = strength * strength * eta / 4
+    twist = complex_of(spread * cos(2 * lean), spread * sin(2 * lean))
+    pole, less = complex_of(point.pole, -strength), complex_of(point.pole - point.one, -strength)
+    lift = complex_of(lift_of(motion, square, rest), -strength)
+    third = rj_pair(point.one, point.product, point.root_sum, pole, lift, less, twist)
+    excess = complex_of(0, 2 * strength / 3) * third
+    place = complex_of(cos(motion.tip), sin(motion.tip)) * (extent + excess)
+    kept = (beta * cos(motion.tip) + eta * cos(lean) * cos(lean)) * extent - beta * place.real
+    return Arc(place.real, place.imag, kept - 2 * second_part(beta, eta, lean, motion, point, square, rest, extent))
+
+
+class Point(NamedTuple):
+    """A point of a motion by ℘ − c = x and ℘ − e at its three half-period values.
+
+    one: ℘ − e₁, with e₁ that of the far turning point. product, root_sum: √(℘ − e₂)√(℘ − e₃) and √(℘ − e₂) + √(℘ − e₃),
+    real also where e₂ and e₃ are a complex pair.
+    """
+
+    strength: float  # b
+    pole: float  # x
+    one: float
+    product: float
+    root_sum: float
+
+
+def far_point(motion):
+    """The far turning point."""
+    strength = motion.near_moment / 4
+    cosine = cos(motion.half_width)
+    return Point(strength, strength * cosine / motion.sine, 0, motion.end * motion.end / 4, motion.middle)
+
+
+def with_stays(eta, arc, stay, middle, far, basin):
+    """An arc with the straight lengths along the directions at which the motion nearly rests."""
+    y, z, square = arc
+    for angle, extent in ((stay.motion.tip, stay.tip), (basin.axis.angle, middle), (basin.far.angle, far)):
+        aligned = cos(angle)
+        y, z, square = y + extent * cos(angle), z + extent * sin(angle), square + extent * eta * aligned * aligned
+    return Arc(y, z, square)
+
+
+def clamp_point(motion, phase):
+    """The point where the motion meets the clamp."""
+    strength = motion.near_moment / 4
+    sine, cosine = motion.done_sine, cos(motion.done / 2)
+    one = strength * motion.left_sine / (sine * motion.sine)
+    product = sqrt(motion.near) * phase.delta * phase.whole / (8 * motion.end * sine)
+    a, b = motion.end, motion.middle
+    root_sum = sqrt((a * a * phase.rest + b * b * phase.square) / phase.square)
+    return Point(strength, strength * cosine / sine, one, product, root_sum)
+
+
+def bent_rod(rod, turns, piece, crossing, index):
+    """The equilibrium of a tip on its branch."""
+    beta, eta, length = rod.beta, rod.eta, rod.length
+    stay = stay_at(beta, eta, piece, delays(piece), crossing.place)
+    motion, basin = stay.motion, piece.basin
+    phase = phase_of(motion)
+    swing, arrival = times(motion)
+    whole = Arc(0, 0, 0)  # not asked for within the first half-swing
+    if crossing.turns:
+        whole = arc_to(beta, eta, motion, far_point(motion), 1, 0, swing)
+        whole = with_stays(eta, whole, stay, stay.middle, stay.far, basin)
+    part = arc_to(beta, eta, motion, clamp_point(motion, phase), phase.square, phase.rest, arrival)
+    part = with_stays(eta, part, stay, stay.arrival, 0, basin)
+    both, sign = 2 * crossing.turns, crossing.sign
+    y, z, square = (float(both * a + sign * b) for a, b in zip(whole, part, strict=True))
+    speed = phase.delta * phase.whole / (motion.end * motion.sine)
+    speed = speed * sqrt(2 * motion.done_sine * motion.left_sine)
+    aligned = cos(motion.tip)
+    gamma = 2 * beta * cos(motion.tip) + eta * aligned * aligned
+    energy = gamma * length / 2 - 2 * beta * y - square
+    scale = rod.scale
+    total = swing + stay.tip + stay.middle + stay.far
+    return Equilibrium(
+        rod.side * (motion.tip + 2 * pi * turns),
+        -rod.side * sign * ldexp(speed, scale),
+        ldexp(gamma, 2 * scale),
+        ldexp(y, -scale),
+        rod.side * ldexp(z, -scale),
+        ldexp(energy, scale),
+        index,
+        Swing(stay, turns, total, whole, basin.axis.angle, basin.far.angle),
+    )
+
+
+def below(rod, most):
+    """The equilibria with tips below the clamp angle, from the lowest up; tips may be nearer than rounding."""
+    beta, eta = rod.beta, rod.eta
+    scene = landscape(beta, eta)
+    clamp = clamp_in(scene.rests, rod.clamp_angle)
+    found = []
+    for piece in pieces(beta, eta, scene, clamp):
+        if not piece.width > 0:  # the clamp angle is at the level of the ridge, to rounding
+            continue
+        here = crossings(beta, eta, rod.length, piece, most)
+        for crossing in sorted(here, key=lambda item: item.place):
+            index = index_of(crossing)
+            if index <= most:
+                found.append(bent_rod(rod, clamp.turns, piece, crossing, index))
+    return found
+
+
+def direction(rest):
+    """cos and sin of a direction, exact for whole quarter turns."""
+    cosine, sine = cos(rest.extra), sin(rest.extra)
+    for _ in range(rest.quarters % 4):
+        cosine, sine = -sine, cosine
+    return cosine, sine
+
+
+def length_of(rod):
+    """The length of a rod in the user's units."""
+    return ldexp(rod.length, -rod.scale)
+
+
+def straight_rod(rod, rest):
+    """The rod that stays straight, for its clamp angle is a direction without moment."""
+    cosine, sine = direction(rest)
+    along = cos(rest.angle)
+    gamma = 2 * rod.beta * cosine + rod.eta * along * along
+    soft = -rest.stiffness
+    index = floor(rod.length * sqrt(soft) / pi + 0.5) if soft > 0 else 0
+    energy = -(rod.beta * cosine + rod.eta * along * along / 2) * rod.length
+    length = length_of(rod)
+    return Equilibrium(
+        rod.side * rod.clamp_angle,
+        0 * length,
+        ldexp(gamma, 2 * rod.scale),
+        cosine * length,
+        rod.side * sine * length,
+        ldexp(energy, rod.scale),
+        index,
+        None,
+    )
+
+
+def straight(rod, most):
+    """The straight equilibrium, if the clamp angle is a direction without moment."""
+    scene = landscape(rod.beta, rod.eta)
+    offsets = clamp_in(scene.rests, rod.clamp_angle).offsets
+    found = [straight_rod(rod, rest) for rest, offset in zip(scene.rests, offsets, strict=True) if offset == 0]
+    return [item for item in found if item.index <= most]
+
+
+def all_equilibria(beta, eta, max_index):
+    """Every equilibrium, sorted by tip angle: from the tips below the clamp angle, above it, and the straight rod."""
+    if beta + eta == 0:
+        return [idle_rod()]
+    most = inf if max_index is None else max_index
+    scale = frexp(beta + eta)[1] // 2
+    rod = Rod(ldexp(beta, -2 * scale), ldexp(eta, -2 * scale), ldexp(80.0, scale), 0.75 * pi, 1, scale)
+    mirrored = Rod(rod.beta, rod.eta, rod.length, -0.75 * pi, -1, scale)
+    return [*below(rod, most), *straight(rod, most), *below(mirrored, most)[::-1]]
+
+
+def integer(name: str, value: Any) -> int:
+    """An integer that is no truth value, or an error that names the argument."""
+    try:
+        number = None if isinstance(value, bool) else index(value)
+    except TypeError:
+        number = None
+    if number is None:
+        raise TypeError(f"{name} must be None or an integer, got {value!r}")
+    return number
+
+
+def index_limit(max_index):
+    """The largest index of equilibria that are wanted: None for no limit, or an integer ≥ 0."""
+    if max_index is None:
+        return None
+    limit = integer("max_index", max_index)
+    if limit < 0:
+        raise ValueError(f"max_index must not be negative, got {max_index!r}")
+    return limit
+
+
+class Given(NamedTuple):
+    """The parameters of many rods, as arrays of one length."""
+
+    beta: Any
+    eta: Any
+
+
+def refuse(name, numbers, bad, why):
+    """Raise ValueError at the first number that is bad."""
+    if np.any(bad):
+        place = int(np.argmax(bad))
+        where = f"{name}[{place}]" if np.ndim(numbers) else name
+        raise ValueError(f"{where} {why}, got {float(np.ravel(numbers)[place])!r}")
+
+
+def all_real(name, values):
+    """A number or an array of them as finite doubles; TypeError or ValueError names the argument and the place."""
+    kind = getattr(getattr(values, "dtype", None), "kind", "")
+    if kind and kind in "fiu":
+        numbers = np.asarray(values, dtype=float)
+        refuse(name, numbers, ~np.isfinite(numbers), "must be finite")
+        return numbers
+    # What is no array of numbers by its type is looked at one by one: lists, fractions, and what must be refused.
+    try:
+        items = np.asarray(values, dtype=object)
+    except ValueError:
+        raise ValueError(f"{name} must be a number or an array: its rows have different lengths") from None
+    if not items.ndim:
+        return np.asarray(real(name, values))
+    flat = [real(f"{name}[{place}]", item) for place, item in enumerate(items.ravel().tolist())]
+    return np.asarray(flat, dtype=float).reshape(items.shape)
+
+
+def all_not_negative(name, values):
+    """Real numbers ≥ 0, or an error that names the argument and the flat index of the first that is none."""
+    numbers = all_real(name, values)
+    refuse(name, numbers, numbers < 0, "must not be negative")
+    return np.abs(numbers)  # no negative zero
+
+
+def many_rods(beta, eta):
+    """The parameters of many rods as flat arrays, broadcast against one another.
+
+    TypeError or ValueError names the first argument that cannot be, and the flat index of its first bad value.
+    """
+    given = Given(all_not_negative("beta", beta), all_not_negative("eta", eta))
+    try:
+        parts = [part.ravel() for part in np.broadcast_arrays(*given)]
+    except ValueError:
+        shapes = ", ".join(f"{name} {np.shape(part)}" for name, part in zip(given._fields, given, strict=True))
+        raise ValueError(f"the arguments do not broadcast against one another: their shapes are {shapes}") from None
+    return Given(*parts)
+
+
+# Interface
+
+
+@dataclass(frozen=True, slots=True)
+class Equilibrium:
+    """One equilibrium of a rod.
+
+    tip_angle: θ(ℓ), continuous from θ(0) = clamp_angle, not wrapped. clamp_curvature: θ′(0). gamma: constant of
+    the first integral. y, z: position of the tip. energy: ∫(½θ′² − ½η(d₃·e)²)ds − β·y, in units of EI. index:
+    number of negative directions of the second variation; 0 means stable.
+    swing: its half-swing, None if it is straight.
+    """
+
+    tip_angle: float
+    clamp_curvature: float
+    gamma: float
+    y: float
+    z: float
+    energy: float
+    index: int
+    swing: Swing | None
+
+
+def equilibria(beta, eta, *, max_index=None) -> list[Equilibrium]:
+    """All equilibria of one rod, sorted by tip angle.
+
+    beta: terminal force over bending stiffness, F/(EI) ≥ 0.
+    eta: magnetic modulus over bending stiffness, η̃/(EI) ≥ 0.
+    max_index: the largest index that is wanted, 0 for stable equilibria only; None for all.
+
+    All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
+    """
+    beta, eta = not_negative("beta", beta), not_negative("eta", eta)
+    return all_equilibria(beta, eta, index_limit(max_index))
+
+
+@dataclass(frozen=True, slots=True)
+class Sweep:
+    """The equilibria of many rods, flat: case[k] is the index of the rod (in the order of the broadcast arrays)."""
+
+    case: Any
+    tip_angle: Any
+    clamp_curvature: Any
+    gamma: Any
+    y: Any
+    z: Any
+    energy: Any
+    index: Any
+
+
+def sweep(beta, eta, *, max_index=None) -> Sweep:
+    """All equilibria of many rods: the arguments are numbers or arrays, broadcast against one another.
+
+    max_index: the largest index that is wanted, 0 for stable equilibria only; None for all.
+
+    Raises TypeError or ValueError, naming the argument and the flat index of a bad value, before any work.
+    """
+    given, limit = many_rods(beta, eta), index_limit(max_index)
+    rods = list(zip(*(part.tolist() for part in given), strict=True))
+    found = [(case, item) for case, rod in enumerate(rods) for item in equilibria(*rod, max_index=limit)]
+    return Sweep(
+        np.array([case for case, _ in found], dtype=int),
+        np.array([item.tip_angle for _, item in found], dtype=float),
+        np.array([item.clamp_curvature for _, item in found], dtype=float),
+        np.array([item.gamma for _, item in found], dtype=float),
+        np.array([item.y for _, item in found], dtype=float),
+        np.array([item.z for _, item in found], dtype=float),
+        np.array([item.energy for _, item in found], dtype=float),
+        np.array([item.index for _, item in found], dtype=int),
+    )
