@@ -44,7 +44,10 @@ def theory():
 
 @pytest.fixture(scope="module")
 def formulas(theory):
-    return {(f.case, f.name): lambdify(f.arguments, f.expression, [CARLSON, "mpmath"]) for f in theory.formulas}
+    return {
+        (f.case, f.name): lambdify(f.arguments, f.expression, [CARLSON, "mpmath"])
+        for f in (*theory.formulas, *theory.steps)
+    }
 
 
 def same(left, right):
@@ -204,7 +207,7 @@ def test_heights(theory):
 
 
 def test_table_of_formulas(theory):
-    found = {f.name: (f.arguments, f.expression) for f in theory.formulas if f.case == "parallel"}
+    found = {f.name: (f.arguments, f.expression) for f in (*theory.formulas, *theory.steps) if f.case == "parallel"}
     expected = {
         "root_plus": ((plus, drive), -plus * drive / 2),
         "root_minus": ((minus, drive), minus * drive / 2),
@@ -363,11 +366,11 @@ def test_energies_that_are_not_elliptic():
 
 def test_claims_name_their_steps(theory):
     assert len(theory.book.claims) > 300
-    assert {f.claim for f in theory.formulas} <= set(theory.book.claims)
+    assert {f.claim for f in (*theory.formulas, *theory.steps)} <= set(theory.book.claims)
 
 
 def test_straight_rod(theory):
-    case = {f.case: f.expression for f in theory.formulas if f.name == "straight_stiffness"}
+    case = {f.case: f.expression for f in (*theory.formulas, *theory.steps) if f.name == "straight_stiffness"}
     assert same(case["parallel"], -beta * xi - eta * (2 * xi**2 - 1))
     assert same(case["orthogonal"], -beta * xi + eta * (2 * xi**2 - 1))
     bent = theory.cases["parallel"].angular_acceleration

@@ -14,9 +14,6 @@ from derive.emit.scene import GENERAL_CASE
 from derive.emit.substitute import substitute
 from derive.theory.claims import Formula
 
-# Load cases whose formulas have every argument, in which form kernels call them; the later stands before the earlier.
-_KERNEL_CASES = ("parallel", GENERAL_CASE)
-
 
 def specialise_formula(formula: Formula, folded: Mapping[str, Expr]) -> Formula:
     """The formula with the folded parameters replaced by their values, without the arguments that leaves unread."""
@@ -47,12 +44,12 @@ def kernel_formulas(theory: Any) -> dict[str, Formula]:
 
     Of the article's own formulas, those that the general case does not have are taken from the first case that has.
     """
-    found = formulas_of(theory, *_KERNEL_CASES)
+    found = formulas_of(theory, GENERAL_CASE)
     for formula in theory.formulas:
         if formula.family == "article":
             found.setdefault(formula.name, formula)
     if not found:
-        raise EmitError(f"the theory has no formulas for the cases {', '.join(_KERNEL_CASES)}; derive them first")
+        raise EmitError(f"the theory has no formulas for case '{GENERAL_CASE}'; derive them first")
     return found
 
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
-from math import sqrt
+from math import isfinite, isnan, sqrt
 from types import ModuleType
 from typing import Any
 
@@ -52,17 +52,30 @@ class Hardness:
     equilibria: int = 0
 
     def enter(self, case: Case, quantity: str, ulps: float, bounds: float) -> None:
-        """Keep what is worse than so far; nan is worse than all."""
-        for kept, value in ((self.ulps, ulps), (self.bounds, bounds)):
-            if quantity not in kept or not value <= kept[quantity].by:
-                kept[quantity] = Worst(value, case.name, case.rod)
+        """Keep what is worse than so far; nan is worse than all, and stays."""
+        _keep(self.ulps, quantity, Worst(ulps, case.name, case.rod))
+        _keep(self.bounds, quantity, Worst(bounds, case.name, case.rod))
 
-    def rows(self, title: str) -> list[str]:
+    def take(self, other: Hardness) -> None:
+        """Keep what is worse in another result, all its faults and its number of equilibria."""
+        for kept, found in ((self.ulps, other.ulps), (self.bounds, other.bounds)):
+            for quantity, worst in found.items():
+                _keep(kept, quantity, worst)
+        self.faults += other.faults
+        self.equilibria += other.equilibria
+
+    def rows(self, title: str, quantities: Sequence[str] | None = None) -> list[str]:
         """Rows of a table: suite, quantity, worst in ulps of ℓ (or of its size) and in bounds, and where."""
         return [
             f"| {title} | {name} | {self.ulps[name].by:.2g} | {worst.by:.2g} | {worst.name}: {exact(worst.rod)} |"
             for name, worst in sorted(self.bounds.items())
+            if quantities is None or name in quantities
         ]
+
+
+def _keep(kept: dict[str, Worst], quantity: str, new: Worst) -> None:
+    if quantity not in kept or not (new.by <= kept[quantity].by or isnan(kept[quantity].by)):
+        kept[quantity] = new
 
 
 def hardness(module: ModuleType, cases: Iterable[Case], *, most: int | None = None) -> Hardness:
@@ -169,6 +182,8 @@ def compare(result: Hardness, case: Case, refined: Refined, values: dict[str, An
         size = natural_size(quantity, case.rod)
         with mp.workdps(DIGITS + 5):
             error = abs(float(mpf(value) - known.values[name]))
+        if not isfinite(error):
+            result.faults.append(f"{case.name}: {name} is {value} at {exact(case.rod)}")
         result.enter(case, quantity, error / ULP / size, error / ULP / (SIZES * size + known.sensitivity[name]))
 
 

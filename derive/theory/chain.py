@@ -23,7 +23,8 @@ STEPS = ("plane", "quartic", "weierstrass", "shape", "tip", "article", "oblique"
 class Theory:
     """Everything that the energy leads to; mappings are by the name of the load case.
 
-    swing: None for another energy than that of paramagnetic particles.
+    swing: None for another energy than that of paramagnetic particles. formulas: those that emitted solvers evaluate.
+    steps: formulas that others rest on, and those of the load cases one by one.
     """
 
     section2: Any = field(repr=False)
@@ -35,6 +36,7 @@ class Theory:
     oblique: Oblique
     swing: Swing | None
     formulas: tuple[Formula, ...]
+    steps: tuple[Formula, ...]
     book: Notebook = field(repr=False)
 
 
@@ -69,9 +71,11 @@ def derive_section3(section2: Any, book: Notebook, last: str = STEPS[-1]) -> Any
     if last == "oblique":
         return any_angle
     motion = swing.derive(plane_problem, any_angle, book)
-    formulas = tuple(formula for one in tips.values() for formula in one.formulas) + literal
-    formulas += motion.formulas if motion else ()
-    return Theory(section2, plane_problem, cases, functions, shapes, tips, any_angle, motion, formulas, book)
+    steps = tuple(formula for one in tips.values() for formula in one.formulas)
+    formulas = literal
+    if motion:
+        formulas, steps = formulas + motion.formulas, steps + motion.steps
+    return Theory(section2, plane_problem, cases, functions, shapes, tips, any_angle, motion, formulas, steps, book)
 
 
 def print_up_to(last: str, energy: Any = None) -> None:

@@ -2,8 +2,9 @@
 
 They start from the half-angle quartic of ``oblique`` and need no load case. The scripts: ``swing_levels`` (θ″ and the
 potential V), ``swing_rest`` (the directions of equilibrium), ``swing_turns`` (two turning points), ``swing_rates`` (the
-length as a Legendre integral), ``swing_points`` (℘ at the tip), ``swing_along`` (integrals as claims), ``swing_arcs``
-(the position), ``swing_square`` (∫η cos²(θ − α)).
+length as a Legendre integral), ``swing_phase`` (its phase, and Gauss's step), ``swing_points`` (℘ at the tip),
+``swing_place`` and ``swing_angle`` (the same and θ by the phase), ``swing_along`` (integrals as claims), ``swing_arcs``
+(the position), ``swing_square`` and ``swing_energy`` (∫η cos²(θ − α), by R_D and by the phase).
 """
 
 from __future__ import annotations
@@ -15,9 +16,13 @@ from sympy import expand
 from .claims import Formula, Notebook
 from .oblique import Oblique
 from .plane import Plane
+from .swing_angle import write_angle
 from .swing_arcs import write_arcs
+from .swing_energy import write_energy
 from .swing_levels import Levels, write_levels
 from .swing_names import Writer
+from .swing_phase import write_phase
+from .swing_place import write_place
 from .swing_points import Points, write_points
 from .swing_rates import write_rates
 from .swing_rest import write_rest
@@ -28,12 +33,16 @@ from .symbols import eta
 
 @dataclass(frozen=True)
 class Swing:
-    """levels, turns, points: from the scripts of these names. formulas: all of them, of the case ``oblique``."""
+    """levels, turns, points: from the scripts of these names.
+
+    formulas: those that solvers evaluate, of the case ``oblique``. steps: those that they rest on.
+    """
 
     levels: Levels
     turns: Turns
     points: Points
     formulas: tuple[Formula, ...]
+    steps: tuple[Formula, ...]
 
 
 def derive(plane: Plane, oblique: Oblique, book: Notebook) -> Swing | None:
@@ -48,11 +57,15 @@ def derive(plane: Plane, oblique: Oblique, book: Notebook) -> Swing | None:
     book.say("Any angle of the field. The motion between two turning points")
     turns = write_turns(levels, writer)
     write_rates(writer)
+    write_phase(writer)
     book.say("Any angle of the field. Points of the motion by ℘ at the tip")
     points = write_points(levels, turns, oblique.half, writer)
+    place = write_place(writer)
+    write_angle(writer)
     position = write_arcs(points, oblique.half, writer)
     write_square(position, oblique.half, writer)
-    return Swing(levels, turns, points, tuple(writer.formulas))
+    write_energy(place, position, oblique.half, writer)
+    return Swing(levels, turns, points, tuple(writer.formulas), tuple(writer.steps))
 
 
 def main() -> None:

@@ -16,14 +16,14 @@ from .claims import Domain, Equal
 from .oblique_quartic import HalfAngle, m, n, p, q, theta_tip
 from .oblique_shape import b
 from .swing_along import COSINE, KINDS, SINE, THIRD_KIND, claim_integral
-from .swing_names import Writer, anywhere, done, field_angle, tip
+from .swing_names import Writer, anywhere, cosine, done, double_cosine, double_sine, field_angle, sine, tip
 from .swing_points import Points, x
 from .symbols import alpha, eta
 from .tip_names import arc
 
-field_real, field_imag = symbols("field_re field_im", real=True)  # η cos 2(φ − α), η sin 2(φ − α)
 rj_real, rj_imag = symbols("rj_re rj_im", real=True)  # of R_J(X₁, X₂, X₃, x − ib)
 w_real, w_imag = symbols("w_re w_im", real=True)  # of W
+AT_TIP = {sine: sin(tip), cosine: cos(tip)}
 PARTS = {"real": "real", "imag": "imaginary"}
 
 
@@ -48,9 +48,9 @@ def write_arcs(points: Points, rod: HalfAngle, writer: Writer) -> Expr:
     _write_third_kind(writer, "imag", rj_real, imag, SINE)
     # ∫e^{iθ} = e^{iφ}(σ + W).
     shifted = arc + w_real
-    y = _write_position(writer, "y", cos, cos(tip) * shifted - sin(tip) * w_imag)
-    _write_position(writer, "z", sin, sin(tip) * shifted + cos(tip) * w_imag)
-    return y
+    y = _write_position(writer, "y", cos, cosine * shifted - sine * w_imag)
+    _write_position(writer, "z", sin, sine * shifted + cosine * w_imag)
+    return y.subs(AT_TIP)
 
 
 def _write_field(writer: Writer, part: str, function: Callable[..., Expr], value: Expr) -> None:
@@ -63,18 +63,20 @@ def _write_field(writer: Writer, part: str, function: Callable[..., Expr], value
         lambda found: Equal(found, value),
         anywhere(tip),
         steps=("oblique.coefficients",),
+        emitted=False,
     )
 
 
 def _write_shift(writer: Writer, part: str, field: Expr, value: Expr, given: Iterable[tuple[Expr, Expr]]) -> None:
     """What the duplication of R_J divides by, b²η e^{2i(φ − α)}/4."""
-    symbol = {"real": field_real, "imag": field_imag}[part]
+    symbol = {"real": double_cosine, "imag": double_sine}[part]
     writer.add(
         f"rj_delta_{part}",
-        (b, symbol),
-        b**2 * symbol / 4,
-        f"the {PARTS[part]} part of (p − X₁)(p − X₂)(p − X₃), p = x − ib, for the duplication of R_J",
-        lambda found: Equal(found.subs(symbol, field), value),
+        (eta, b, symbol),
+        eta * b**2 * symbol / 4,
+        f"the {PARTS[part]} part of (p − X₁)(p − X₂)(p − X₃), p = x − ib, for the duplication of R_J, "
+        f"by {'cos' if part == 'real' else 'sin'} 2(φ − α)",
+        lambda found: Equal(found.subs(symbol, field / eta), value),
         anywhere(tip),
         given=given,
         steps=("cubic_root", "strength", f"field_{part}"),
@@ -106,10 +108,10 @@ def _write_position(writer: Writer, name: str, function: Callable[..., Expr], va
     here = {arc: Integer(1), w_real: cos(done) - 1, w_imag: sin(done)}
     return writer.add(
         f"arc_{name}",
-        (tip, arc, w_real, w_imag),
+        (sine, cosine, arc, w_real, w_imag),
         value,
-        f"∫{name}′ dσ from the tip to the point",
-        lambda found: Equal(found.subs(here), function(tip + done)),
+        f"∫{name}′ dσ from the tip to the point, by sin φ and cos φ",
+        lambda found: Equal(found.subs(here).subs(AT_TIP), function(tip + done)),
         anywhere(tip, done),
         steps=("w_real", "w_imag", "cosine"),
         source={"y": "exsl36", "z": "exsl41"}[name],

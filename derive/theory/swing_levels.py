@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from sympy import Add, Expr, Integer, cos, diff, oo, sin
+from sympy import Add, Expr, Integer, Symbol, cos, diff, oo, pi, sin
 
 from .claims import Domain, Equal
 from .oblique_quartic import HalfAngle, m, q, theta_tip
@@ -17,12 +17,19 @@ from .swing_names import (
     PARAMETERS,
     Writer,
     anywhere,
+    cosine,
+    double_cosine,
+    double_sine,
     drop,
     field_angle,
     half,
+    half_cosine,
+    half_sine,
+    halves,
     middle,
     offset,
     rest,
+    sine,
     tip,
     turned,
 )
@@ -30,6 +37,11 @@ from .symbols import alpha, beta, eta, gamma, theta
 from .tip_names import length, square, y_tip
 
 FIELD = (beta, eta, field_angle)
+stiffness = Symbol("stiffness", real=True)  # dθ″/dθ at a direction without moment
+middle_sine, middle_cosine = Symbol("middle_sine", real=True), Symbol("middle_cosine", real=True)  # of middle/2
+aligned = Symbol("aligned", real=True)  # cos(θ − α)
+# What a direction without moment is known by, where small offsets and flat wells are to lose nothing.
+REST = (eta, stiffness, double_cosine, double_sine)
 
 
 @dataclass(frozen=True)
@@ -76,33 +88,48 @@ def _write_moment(levels: Levels, writer: Writer) -> None:
         anywhere(tip, theta),
         steps=("fall", "potential"),
         source="exsl6",
-    )
-    # sin(x + o) − sin x = 2 sin(o/2) cos(x + o/2), for the force and, with twice the angle, for the field.
-    turn = cos(offset / 2) * cos(2 * (rest - field_angle) + offset)
-    writer.add(
-        "moment_from_rest",
-        (*FIELD, rest, offset),
-        2 * sin(offset / 2) * (beta * cos(rest + offset / 2) + eta * turn),
-        "θ″ at an offset from a direction where it is zero",
-        lambda value: Equal(turned(moment, rest) + value, turned(moment, Add(rest, offset))),
-        anywhere(rest, offset),
-        steps=("moment",),
+        emitted=False,
     )
     writer.add(
         "rest_stiffness",
-        (*FIELD, rest),
-        beta * cos(rest) + eta * cos(2 * (rest - field_angle)),
-        "dθ″/dθ at an angle: small rotations h from a direction of equilibrium obey h″ = (dθ″/dθ)h; at the tip it is q",
-        lambda value: Equal(value, -turned(diff(levels.potential, theta, 2), rest)),
+        (beta, eta, cosine, double_cosine),
+        beta * cosine + eta * double_cosine,
+        "dθ″/dθ by cos θ and cos 2(θ − α), where small rotations h obey h″ = (dθ″/dθ)h; at the tip it is q",
+        lambda value: Equal(_at_rest(value), -turned(diff(levels.potential, theta, 2), rest)),
         anywhere(rest),
         steps=("potential",),
     )
+    # By half the offset: sin(o) = 2sc, sin(3o/2) = s(3 − 4s²).
+    bent = cosine * (stiffness - 2 * eta * double_cosine * sine**2)
+    writer.add(
+        "rest_moment",
+        (*REST, sine, cosine),
+        2 * sine * (bent - eta * double_sine * sine * (3 - 4 * sine**2) / 2),
+        "θ″ at an offset from a direction without moment, by the sine and cosine of half the offset",
+        lambda value: Equal(
+            _from_rest(value, levels) + turned(moment, rest) * cos(offset), turned(moment, Add(rest, offset))
+        ),
+        anywhere(rest, offset),
+        steps=("moment", "rest_stiffness"),
+    )
+
+
+def _at_rest(value: Expr) -> Expr:
+    """The cosines of a direction by its angle."""
+    turn = 2 * (rest - field_angle)
+    return value.subs({cosine: cos(rest), double_cosine: cos(turn), double_sine: sin(turn)})
+
+
+def _from_rest(value: Expr, levels: Levels) -> Expr:
+    """The names of a direction without moment, and of half the offset from it, by the angles."""
+    stiff = -turned(diff(levels.potential, theta, 2), rest)
+    return _at_rest(value.subs(halves(offset, (sine, cosine)))).subs(stiffness, stiff)
 
 
 def _write_drops(levels: Levels, writer: Writer) -> None:
     """V(θ₁) − V(θ₂) as a product with a small factor."""
     potential = levels.potential
-    writer.add(
+    drop_between = writer.add(
         "level_drop",
         (*FIELD, middle, half),
         sin(half) * (2 * beta * sin(middle) + eta * cos(half) * sin(2 * (middle - field_angle))),
@@ -110,19 +137,31 @@ def _write_drops(levels: Levels, writer: Writer) -> None:
         lambda value: Equal(value, turned(potential, middle - half) - turned(potential, middle + half)),
         anywhere(middle, half),
         steps=("potential",),
+        emitted=False,
     )
-    turn = 2 * (rest - field_angle)
-    field = eta * cos(turn) * cos(offset / 2) ** 2 - eta * sin(turn) * sin(offset) / 2
+    # The ends of an interval that is longer than half a turn by twice ``half``.
+    writer.add(
+        "opposite_drop",
+        (*FIELD, middle, half),
+        cos(half) * (2 * beta * sin(middle) - eta * sin(half) * sin(2 * (middle - field_angle))),
+        "V(middle − π/2 − half) − V(middle + π/2 + half)",
+        lambda value: Equal(value, drop_between.subs(half, Add(half, pi / 2))),
+        anywhere(middle, half),
+        steps=("level_drop",),
+    )
     lost = sin(offset) * turned(levels.moment, rest)
     writer.add(
-        "drop_from_rest",
-        (*FIELD, rest, offset),
-        2 * sin(offset / 2) ** 2 * (beta * cos(rest) + field),
-        "V(rest) − V(rest + offset), from a direction of equilibrium",
-        lambda value: Equal(value + lost, turned(potential, rest) - turned(potential, Add(rest, offset))),
+        "rest_drop",
+        (*REST, sine, cosine),
+        2 * sine**2 * (stiffness - eta * sine * (double_cosine * sine + double_sine * cosine)),
+        "V(rest) − V(rest + offset), from a direction without moment, by the sine and cosine of half the offset",
+        lambda value: Equal(
+            _from_rest(value, levels) + lost, turned(potential, rest) - turned(potential, Add(rest, offset))
+        ),
         anywhere(rest, offset),
-        steps=("potential",),
+        steps=("potential", "rest_stiffness"),
     )
+    _write_fall(levels, writer)
     writer.add(
         "curvature_squared",
         (drop,),
@@ -132,6 +171,28 @@ def _write_drops(levels: Levels, writer: Writer) -> None:
         anywhere(tip, theta),
         steps=("fall",),
         source="exsl8",
+        emitted=False,
+    )
+
+
+def _write_fall(levels: Levels, writer: Writer) -> None:
+    """V(rest + m − h) − V(rest + m + h), by sines and cosines of m/2 and h/2: each term is small with m or h."""
+    even = middle_sine**2 + (1 - 2 * middle_sine**2) * half_sine**2
+    odd = middle_sine**2 * (3 - 4 * middle_sine**2) + (1 - 8 * middle_sine**2 * middle_cosine**2) * half_sine**2
+    stiff = 2 * middle_sine * middle_cosine * (stiffness - 2 * eta * double_cosine * even)
+    names = {**halves(middle, (middle_sine, middle_cosine)), **halves(half)}
+    potential, first, last = levels.potential, Add(rest, middle, -half), Add(rest, middle, half)
+    lost = 2 * turned(levels.moment, rest) * cos(middle) * sin(half)
+    writer.add(
+        "rest_fall",
+        (*REST, middle_sine, middle_cosine, half_sine, half_cosine),
+        4 * half_sine * half_cosine * (stiff - eta * double_sine * odd),
+        "V(rest + middle − half) − V(rest + middle + half), from a direction without moment",
+        lambda value: Equal(
+            _from_rest(value.subs(names), levels) + lost, turned(potential, first) - turned(potential, last)
+        ),
+        anywhere(rest, middle, half),
+        steps=("potential", "rest_stiffness"),
     )
 
 
@@ -140,20 +201,22 @@ def _write_tip(levels: Levels, rod: HalfAngle, writer: Writer) -> None:
     at = {theta_tip: tip, alpha: field_angle}
     writer.add(
         "gamma",
-        (*FIELD, tip),
-        2 * turned(levels.potential, tip),
-        "γ of the first integral, such that the curvature vanishes at the tip",
-        lambda value: Equal(value, rod.gamma.subs(at)),
+        (beta, eta, cosine, aligned),
+        2 * beta * cosine + eta * aligned**2,
+        "γ of the first integral, such that the curvature vanishes at the tip, by cos φ and cos(φ − α)",
+        lambda value: Equal(value.subs({cosine: cos(tip), aligned: cos(tip - field_angle)}), rod.gamma.subs(at)),
         anywhere(tip),
         steps=("oblique.free_end", "fall"),
         source="exsl8",
     )
     writer.add(
         "tip_cubic",
-        (*FIELD, tip),
-        beta * sin(tip) - eta * sin(2 * (tip - field_angle)) / 2,
-        "m, the coefficient of t³ in the half-angle quartic at the tip",
-        lambda value: Equal(value, rod.coefficients[m].subs(at)),
+        (beta, eta, sine, double_sine),
+        beta * sine - eta * double_sine / 2,
+        "m, the coefficient of t³ in the half-angle quartic at the tip, by sin φ and sin 2(φ − α)",
+        lambda value: Equal(
+            value.subs({sine: sin(tip), double_sine: sin(2 * (tip - field_angle))}), rod.coefficients[m].subs(at)
+        ),
         anywhere(tip),
         steps=("oblique.coefficients",),
     )

@@ -19,12 +19,17 @@ from .swing_names import (
     PAIR,
     Writer,
     anywhere,
+    cosine,
     done,
+    done_sine,
     field_angle,
     half_width,
-    left,
+    halves,
+    left_sine,
     middle,
     moment_there,
+    near,
+    sine,
     tip,
     turned,
 )
@@ -86,26 +91,28 @@ def _write_strength(levels: Levels, rod: HalfAngle, writer: Writer) -> None:
 
 def _write_near(cubic: Expr, levels: Levels, turns: Turns, rod: HalfAngle, writer: Writer) -> Expr:
     """x, ê₁ and X₁."""
+    names = halves(done, (sine, cosine))
     pole = writer.add(
         "point_pole",
-        (b, done),
-        b * cos(done / 2) / sin(done / 2),
-        "x = ℘ − c at the angle δ from the tip",
-        lambda value: Equal(b / value, tan(done / 2)),
+        (b, sine, cosine),
+        b * cosine / sine,
+        "x = ℘ − c by the sine and cosine of δ/2, or any two numbers in their ratio",
+        lambda value: Equal(b / value.subs(names), tan(done / 2)),
         WHERE,
         steps=("cubic", "strength"),
         source="exsl22",
     )
+    pole = pole.subs(names)
     infinite, steps = Limit(1 / pole, done, pole * 0, pole * 0, "+"), ("point_pole",)
     writer.claim("point_pole_tip", "x is infinite at the tip", infinite, WHERE, steps=steps, source="exsl22")
     far_root = pole.subs(done, 2 * half_width)
     # b = P sin D/8: without the quotient by a sine that is small for a small swing and for a whole turn.
     writer.add(
         "far_root",
-        (factor_tip, half_width),
-        factor_tip * cos(half_width) / 8,
-        "ê₁, the value of x at the far turning point, by P",
-        lambda value: Equal(value.subs(factor_tip, 8 * b / sin(half_width)), far_root),
+        (near, cosine),
+        near * cosine / 8,
+        "ê₁, the value of x at the far turning point, by P and cos D",
+        lambda value: Equal(value.subs({near: 8 * b / sin(half_width), cosine: cos(half_width)}), far_root),
         WHERE,
         steps=("point_pole", "turn_factor"),
     )
@@ -114,15 +121,20 @@ def _write_near(cubic: Expr, levels: Levels, turns: Turns, rod: HalfAngle, write
     strength = turned(levels.moment, middle - half_width) / 4
     values = {letter: value.subs(at) for letter, value in rod.coefficients.items()}
     there = cubic.subs(x, far_root).subs(values).subs(b, strength)
+    excess = turns.excess + sin(half_width) * turns.balance / 2
+    by_tip = values[q] + 3 * turns.at(-1) * cos(half_width) / 2
+    rests = ("far_root", "middle_excess", "tip_stiffness")
+    writer.claim("excess_root", "R = q + 12ê₁ for two turning points", Equal(excess, by_tip), PAIR, steps=rests)
     turn = Equal(there, strength**2 * turns.balance / (2 * sin(half_width) ** 3))
     rests = ("far_root", "strength", "pair", "cubic")
     writer.claim("far_root_turn", "C(ê₁) = 0 for two turning points", turn, PAIR, steps=rests)
+    sines = {sine: sin(half_width), done_sine: sin(done / 2), left_sine: sin(half_width - done / 2)}
     writer.add(
         "point_near",
-        (b, done, left, half_width),
-        b * sin(left / 2) / (sin(done / 2) * sin(half_width)),
-        "X₁ = x − ê₁ at a point, zero at the far turning point",
-        lambda value: Equal(value.subs(left, 2 * half_width - done) + far_root, pole),
+        (b, sine, done_sine, left_sine),
+        b * left_sine / (done_sine * sine),
+        "X₁ = x − ê₁ at a point, zero at the far turning point, by sin D, sin(δ/2) and sin(D − δ/2)",
+        lambda value: Equal(value.subs(sines) + far_root, pole),
         WHERE,
         steps=("point_pole", "far_root"),
     )
@@ -141,6 +153,7 @@ def _write_pair(points: Points, writer: Writer) -> None:
         lambda value: Equal(value, diff(points.others, x).subs({x: pole, e_1: points.far_root})),
         Domain({**free, **WHERE.ranges}),
         steps=("cubic_root", "point_pole", "far_root"),
+        emitted=False,
     )
     writer.add(
         "pair_sum_by_root",
@@ -150,31 +163,34 @@ def _write_pair(points: Points, writer: Writer) -> None:
         lambda value: Equal(value.subs({place: pole, e_1: points.far_root}), total),
         Domain({**free, **WHERE.ranges}),
         steps=("pair_sum",),
+        emitted=False,
     )
     # x_σ = x_δ δ_σ with δ_σ² = (cos u − cos D)Q, and b by P.
     behind, ahead = sin(done / 2), sin(half_width - done / 2)
     moved = diff(pole, done) ** 2 * 2 * behind * ahead * factor_there
-    near = b * ahead / (behind * sin(half_width))
+    close = b * ahead / (behind * sin(half_width))
     where = Domain({factor_tip: (0, oo), factor_there: (0, oo), half_width: (0, pi), done: (0, 2 * half_width)})
     product = writer.add(
         "pair_product",
         (factor_tip, factor_there, half_width, done),
         sin(half_width) ** 2 * factor_tip * factor_there / (64 * sin(done / 2) ** 2),
         "X₂X₃ at a point, by Q at the tip and there",
-        lambda value: Equal(4 * near * value, moved),
+        lambda value: Equal(4 * close * value, moved),
         where,
         given=((b, factor_tip * sin(half_width) / 8),),
         steps=("cubic_root", "point_near", "turn_factor", "factor_at", "sines"),
+        emitted=False,
     )
     writer.add(
         "point_rate",
         (x_near, x_pair),
         sqrt(x_near * x_pair),
         "√(X₁X₂X₃) = |x_σ|/2 at a point",
-        lambda value: Equal((4 * value**2).subs({x_near: near, x_pair: product}), moved),
+        lambda value: Equal((4 * value**2).subs({x_near: close, x_pair: product}), moved),
         where,
         given=((b, factor_tip * sin(half_width) / 8),),
         steps=("pair_product",),
+        emitted=False,
     )
     # The same at the far turning point, where Q is P′.
     at_far = product.subs({done: 2 * half_width, factor_there: factor_far})

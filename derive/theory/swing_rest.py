@@ -8,12 +8,12 @@ sum, which is that of the Stoner–Wohlfarth astroid. Everywhere else both terms
 
 from __future__ import annotations
 
-from sympy import Add, Expr, Symbol, cos, diff, oo, pi, sin, sqrt, symbols
+from sympy import Add, Expr, Integer, Matrix, Rational, Symbol, atan, atan2, cos, diff, oo, pi, sin, sqrt, symbols, tan
 
 from .claims import Domain, Equal
 from .swing_levels import FIELD, Levels
-from .swing_names import Writer, field_angle, turned
-from .symbols import beta, eta
+from .swing_names import Writer, cosine, field_angle, sine, turned
+from .symbols import beta, eta, theta
 
 before = Symbol("before", real=True)  # y: θ = α − y
 past = Symbol("past", real=True)  # w: θ = α + π/2 + w
@@ -29,6 +29,7 @@ def write_rest(levels: Levels, writer: Writer) -> None:
     _write_pair(levels.moment, writer)
     _claim_astroid(writer)
     _claim_none(levels.moment, writer)
+    _write_tilted(levels, writer)
 
 
 def _write_hill(moment: Expr, writer: Writer) -> None:
@@ -36,18 +37,18 @@ def _write_hill(moment: Expr, writer: Writer) -> None:
     where = Domain({**QUARTER, before: (0, field_angle)})
     force, field = sin(field_angle - before), sin(2 * before)
     writer.add(
-        "moment_before_field",
+        "hill_balance",
         (*FIELD, before),
-        beta * force - eta * field / 2,
-        "θ″ at α − y, between force and field: zero at a maximum of V",
-        lambda value: Equal(value, turned(moment, field_angle - before)),
+        eta * field / 2 - beta * force,
+        "−θ″ at α − y, between force and field: zero at a maximum of V",
+        lambda value: Equal(-value, turned(moment, field_angle - before)),
         where,
         steps=("moment",),
         source="exsl6",
     )
     fall = 2 * cos(field_angle) * sin(before) + 2 * cos(before) ** 2 * force
     same = Equal(-diff(force / field, before) * field**2, fall)
-    writer.claim("one_hill", "the ratio of its terms falls", same, where, steps=("moment_before_field",))
+    writer.claim("one_hill", "the ratio of its terms falls", same, where, steps=("hill_balance",))
 
 
 def _write_well(moment: Expr, writer: Writer) -> None:
@@ -55,24 +56,34 @@ def _write_well(moment: Expr, writer: Writer) -> None:
     where = Domain({**QUARTER, past: (0, pi / 2 - field_angle)})
     force, field = cos(field_angle + past), sin(2 * past)
     writer.add(
-        "moment_past_normal",
+        "well_balance",
         (*FIELD, past),
-        beta * force - eta * field / 2,
-        "θ″ at α + π/2 + w, between the normal of the field and the opposite of the force: zero at a minimum of V",
-        lambda value: Equal(value, turned(moment, field_angle + pi / 2 + past)),
+        eta * field / 2 - beta * force,
+        "−θ″ at α + π/2 + w, between the normal of the field and the opposite of the force: zero at a minimum of V",
+        lambda value: Equal(-value, turned(moment, field_angle + pi / 2 + past)),
         where,
         steps=("moment",),
         source="exsl6",
     )
     fall = 2 * sin(field_angle) * sin(past) + 2 * cos(past) ** 2 * force
     same = Equal(-diff(force / field, past) * field**2, fall)
-    writer.claim("one_well", "the ratio of its terms falls", same, where, steps=("moment_past_normal",))
+    writer.claim("one_well", "the ratio of its terms falls", same, where, steps=("well_balance",))
 
 
 def _write_pair(moment: Expr, writer: Writer) -> None:
     """From opposite to the field on: two directions, one or none, by a convex sum."""
     where = Domain({**QUARTER, beyond: (0, pi / 2)})
     height = _height(sin(field_angle), cos(field_angle))
+    writer.add(
+        "pair_balance",
+        (*FIELD, beyond),
+        eta * sin(2 * beyond) / 2 - beta * sin(field_angle + beyond),
+        "θ″ at α + π + x: zero at the second maximum and the second minimum of V",
+        lambda value: Equal(value, turned(moment, Add(field_angle, pi, beyond))),
+        where,
+        steps=("moment",),
+        source="exsl6",
+    )
     writer.add(
         "pair_height",
         (field_angle, beyond),
@@ -84,6 +95,7 @@ def _write_pair(moment: Expr, writer: Writer) -> None:
         where,
         steps=("moment",),
         source="exsl6",
+        emitted=False,
     )
     curved = sin(field_angle) * (1 + cos(beyond) ** 2) / sin(beyond) ** 3
     curved += cos(field_angle) * (1 + sin(beyond) ** 2) / cos(beyond) ** 3
@@ -103,6 +115,15 @@ def _claim_astroid(writer: Writer) -> None:
     level = Equal(diff(height, beyond).subs(least), 0)
     title, steps = "the height is least at tan³x = tan α", ("pair_convex",)
     writer.claim("astroid_place", title, level, where, steps=steps)
+    writer.add(
+        "astroid_angle",
+        (sine, cosine),
+        atan((sine / cosine) ** Rational(1, 3)),
+        "x at which sin α/sin x + cos α/cos x is least, by sin α and cos α: tan³x = tan α",
+        lambda value: Equal(tan(value) ** 3, sine / cosine),
+        Domain({sine: (0, 1), cosine: (0, 1)}),
+        steps=("astroid_place",),
+    )
     value = Equal(height.subs(least), length**3)
     writer.claim("astroid", "the least height", value, where, steps=("astroid_place",))
 
@@ -120,3 +141,47 @@ def _claim_none(moment: Expr, writer: Writer) -> None:
         same = Equal(turned(moment, angle), sign * (beta * by_force + eta * by_field / 2))
         title = f"θ″ {'>' if sign > 0 else '<'} 0 there"
         writer.claim(f"none_{key}", title, same, where, steps=("moment",), source="exsl6")
+
+
+def _write_tilted(levels: Levels, writer: Writer) -> None:
+    """η > β and the field across the force: a hill on each side of it, at cos θ = β/η.
+
+    With the field along the force a well lies a quarter turn less that angle on: there dθ″/dθ and cos 2(θ − α) have
+    the other sign, sin 2(θ − α) has the same.
+    """
+    root, where = sqrt((eta - beta) * (eta + beta)), Domain({beta: (0, oo), eta: (beta, oo)})
+    steps, stiff = ("moment", "rest_stiffness"), diff(levels.moment, theta)
+    angle = writer.add(
+        "tilt",
+        (beta, eta),
+        atan2(root, beta),
+        "θ > 0 where force and field balance, the field across the force",
+        lambda value: Equal(levels.moment.subs(field_angle, pi / 2).subs(theta, value), 0),
+        where,
+        steps=steps,
+    )
+    writer.add(
+        "tilt_from_side",
+        (beta, eta),
+        atan2(beta, root),
+        "θ − π/2 where force and field balance, the field along the force",
+        lambda value: Equal(levels.moment.subs(field_angle, 0).subs(theta, value + pi / 2), 0),
+        where,
+        steps=steps,
+    )
+    places, turn = ((pi / 2, angle), (Integer(0), pi - angle)), theta - field_angle
+    for name, expression, doc, meaning, side in (
+        ("tilt_stiffness", (eta - beta) * (eta + beta) / eta, "dθ″/dθ", stiff, -1),
+        ("tilt_cosine", 1 - 2 * (beta / eta) ** 2, "cos 2(θ − α)", 2 * cos(turn) ** 2 - 1, -1),
+        ("tilt_sine", -2 * beta / eta * root / eta, "sin 2(θ − α)", 2 * sin(turn) * cos(turn), 1),
+    ):
+        there = [meaning.subs(field_angle, alpha).subs(theta, place) for alpha, place in places]
+        writer.add(
+            name,
+            (beta, eta),
+            expression,
+            f"{doc} at that angle; {'the negative' if side < 0 else 'the same'} at the well, the field along the force",
+            lambda value, there=there, side=side: Equal(Matrix([value, side * value]), Matrix(there)),
+            where,
+            steps=(*steps, "tilt"),
+        )

@@ -26,7 +26,9 @@ from .tip_names import arc, y_tip
 
 rate = Symbol("rate", real=True)  # √(X₁X₂X₃)
 second, seconds = symbols("second seconds", real=True)  # R_D(X₂, X₃, X₁); R_D(X₁, X₂, X₃) + R_D(X₁, X₃, X₂)
-# By the coefficients of the quartic: ∫η cos²(θ − α)dσ less the integrals of the second kind.
+# Re(η e^{2i(φ − α)}e^{2iδ}) by the coefficients of the quartic.
+TWICE = (q - n) * (2 * COSINE**2 - 1) - (4 * b - m) * 2 * SINE * COSINE
+# By the same: ∫η cos²(θ − α)dσ less the integrals of the second kind.
 BY_LETTERS = (eta + q - n) / 2 * arc - n * w_real + (2 * b + m / 2) * w_imag
 
 
@@ -35,12 +37,12 @@ def write_square(y: Expr, rod: HalfAngle, writer: Writer) -> None:
     edge = rate * (pole * root + b**2) / ((pole**2 + b**2) * x_near)
     towards_tip = 4 * root * arc + near * far * second / 48 - 4 * edge
     arguments = (root, pole, x_near, rate, near, far, arc, y_tip, second)
-    _write_form("arc_square", "before the far turning point", towards_tip, arguments, y, rod, writer)
+    _write_form("square_before", "before the far turning point", towards_tip, arguments, y, rod, writer)
     # With second = 3/rate − seconds the terms that are infinite at X₁ = 0 cancel.
     over = root * pole**2 + (b**2 - b * m / 4 - root * q / 4 - root**2) * pole + b**2 * (q / 4 + 2 * root)
     towards_far = 4 * root * arc - near * far * seconds / 48 - 4 * rate / x_pair * over / (pole**2 + b**2)
     others = (q, m, root, pole, x_pair, rate, near, far, arc, y_tip, seconds)
-    _write_form("arc_square_far", "also at the far turning point", towards_far, others, y, rod, writer)
+    _write_form("square_beyond", "also at the far turning point", towards_far, others, y, rod, writer)
 
 
 def _write_form(
@@ -53,15 +55,16 @@ def _write_form(
         (*FIELD, tip, b, *arguments),
         (beta * cos(tip) + eta * cos(tip - field_angle) ** 2) * arc - beta * y_tip + kept,
         f"η∫cos²(θ − α)dσ from the tip to the point, {where}",
-        lambda value: Equal(_in_rod(value.subs(y_tip, y), rod), _in_rod(BY_LETTERS + kept, rod)),
+        lambda value: Equal(in_rod(value.subs(y_tip, y), rod), in_rod(BY_LETTERS + kept, rod)),
         anywhere(tip),
-        given=((b, _in_rod(p, rod) / 4),),
+        given=((b, in_rod(p, rod) / 4),),
         steps=("arc_y", "oblique.coefficients", "strength", *(f"{name}_{kind.name}" for kind in KINDS)),
         source="DLMF 19.29(ii)",
+        emitted=False,
     )
 
 
-def _in_rod(value: Expr, rod: HalfAngle) -> Expr:
+def in_rod(value: Expr, rod: HalfAngle) -> Expr:
     """The letters of the quartic at the tip in β, η, α and φ."""
     at = {theta_tip: tip, alpha: field_angle}
     return value.subs({letter: coefficient.subs(at) for letter, coefficient in rod.coefficients.items()})
@@ -69,7 +72,6 @@ def _in_rod(value: Expr, rod: HalfAngle) -> Expr:
 
 def _claim_second_kind(name: str, kept: Expr, writer: Writer) -> None:
     """The form along the motion, with q, m, n by the roots: η cos²(θ − α) = ½η + ½Re(η e^{2i(φ − α)}e^{2iδ})."""
-    twice = (q - n) * (2 * COSINE**2 - 1) - (4 * b - m) * 2 * SINE * COSINE
 
     def integral(kind: Kind) -> Expr:
         first, other, last = kind.gaps
@@ -94,7 +96,7 @@ def _claim_second_kind(name: str, kept: Expr, writer: Writer) -> None:
         name,
         "η∫cos²(θ − α)dσ",
         integral,
-        lambda kind: (eta + twice.subs(kind.letters)) / 2,
+        lambda kind: (eta + TWICE.subs(kind.letters)) / 2,
         more={eta: (0, oo)},
         steps=("w_real", "w_imag", "far_slope", "cubic_root", "field_real", "field_imag", "fall"),
         source="DLMF 19.29(ii)",

@@ -5,6 +5,31 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import any_of, arctan_share, complex_of, complex_sqrt, cos, epsilon, pick, sin, sqrt
+from derive.emit.kernels.formulas import (
+    arc_kink,
+    arc_kink_tip,
+    arc_square,
+    arc_y,
+    arc_z,
+    far_pair_root,
+    far_root,
+    others_product,
+    others_sum,
+    pair_lift,
+    pair_root,
+    pair_root_sum,
+    phase_rate,
+    point_near,
+    point_pole,
+    pole_gap,
+    rest_stiffness,
+    rj_delta_imag,
+    rj_delta_real,
+    strength,
+    tip_cubic,
+    w_imag,
+    w_real,
+)
 from derive.emit.kernels.swing import second_kind
 
 
@@ -32,63 +57,52 @@ class Arc(NamedTuple):
 
 def clamp_point(motion, phase):
     """The point where the motion meets the clamp."""
-    strength = motion.near_moment / 4
-    sine, cosine = motion.done_sine, cos(motion.done / 2)
-    one = strength * motion.left_sine / (sine * motion.sine)
-    product = sqrt(motion.near) * phase.delta * phase.whole / (8 * motion.end * sine)
-    a, b = motion.end, motion.middle
-    root_sum = sqrt((a * a * phase.rest + b * b * phase.square) / phase.square)
-    return Point(strength, strength * cosine / sine, one, product, root_sum)
+    b, done = strength(motion.near_moment), motion.done_sine
+    one = point_near(b, motion.sine, done, motion.left_sine)
+    product = pair_root(sqrt(motion.near), done, phase.whole, phase.delta / motion.end)
+    delta = phase_rate(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
+    return Point(b, point_pole(b, done, cos(motion.done / 2)), one, product, pair_root_sum(phase.square, delta))
 
 
 def far_point(motion):
     """The far turning point."""
-    strength = motion.near_moment / 4
-    cosine = cos(motion.half_width)
-    return Point(strength, strength * cosine / motion.sine, 0, motion.end * motion.end / 4, motion.middle)
+    b = strength(motion.near_moment)
+    pole = point_pole(b, motion.sine, cos(motion.half_width))
+    return Point(b, pole, 0, far_pair_root(motion.end), motion.middle)
 
 
 def arc_to(beta, eta, field_angle, motion, point, square, rest, extent):
     """The arc from the tip to a point, at ψ, of the given length."""
-    lean = motion.tip - field_angle
-    strength = point.strength
-    spread = strength * strength * eta / 4
-    twist = complex_of(spread * cos(2 * lean), spread * sin(2 * lean))
-    pole, less = complex_of(point.pole, -strength), complex_of(point.pole - point.one, -strength)
-    lift = complex_of(lift_of(motion, square, rest), -strength)
-    third = rj_pair(point.one, point.product, point.root_sum, pole, lift, less, twist)
-    excess = complex_of(0, 2 * strength / 3) * third
-    place = complex_of(cos(motion.tip), sin(motion.tip)) * (extent + excess)
-    kept = (beta * cos(motion.tip) + eta * cos(lean) * cos(lean)) * extent - beta * place.real
-    return Arc(place.real, place.imag, kept - 2 * second_part(beta, eta, lean, motion, point, square, rest, extent))
+    sine, cosine, lean = sin(motion.tip), cos(motion.tip), motion.tip - field_angle
+    double_sine, double_cosine = sin(2 * lean), cos(2 * lean)
+    root = far_root(motion.near, cos(motion.half_width))
+    w_re, w_im = shift(eta, double_sine, double_cosine, motion, point, root, square, rest)
+    y, z = arc_y(sine, cosine, extent, w_re, w_im), arc_z(sine, cosine, extent, w_re, w_im)
+    first, second = motion.end / 2, motion.middle / 2
+    q, m = rest_stiffness(beta, eta, cosine, double_cosine), tip_cubic(beta, eta, sine, double_sine)
+    kink = kink_at(first, second, point, root, q, m, square, rest)
+    growth = second_kind(first, second, square, rest, extent)
+    return Arc(y, z, arc_square(beta, eta, cosine, cos(lean), first, root, extent, y, kink, growth))
 
 
-def lift_of(motion, square, rest):
-    """x + √(X₂X₃), which is small where the motion is nearly a whole turn."""
-    near, far = sqrt(motion.near), sqrt(motion.far)
-    turn = motion.uneven + 2 * near * motion.half_cosine * motion.half_cosine
-    return near * (turn + 2 * far * rest / square) / 8
+def shift(eta, double_sine, double_cosine, motion, point, root, square, rest):
+    """W as real and imaginary part: ∫e^{iθ} from the tip is e^{iφ}(σ + W)."""
+    b, near, far = point.strength, sqrt(motion.near), sqrt(motion.far)
+    twist = complex_of(rj_delta_real(eta, b, double_cosine), rj_delta_imag(eta, b, double_sine))
+    lift = pair_lift(near, far, motion.uneven, motion.half_cosine, square, rest)
+    pole, lifted, less = complex_of(point.pole, -b), complex_of(lift, -b), complex_of(root, -b)
+    third = rj_pair(point.one, point.product, point.root_sum, pole, lifted, less, twist)
+    return w_real(b, third.imag), w_imag(b, third.real)
 
 
-def second_part(beta, eta, lean, motion, point, square, rest, extent):
-    """d℘/dσ·Re 1/(℘ − ℘(v)) less 2∫(℘ − e₁), by which η∫cos²(θ − α) is told from what does not grow along the rod."""
-    a, b = motion.end / 2, motion.middle / 2
-    strength, x = point.strength, point.pole
-    growth = beta * cos(motion.tip) + eta * cos(2 * lean)
-    cubic = beta * sin(motion.tip) - eta * sin(lean) * cos(lean)
-    first = motion.near * cos(motion.half_width) / 8
-    pair_sum = -growth / 4 - first
-    pair_product = strength * cubic / 4 - first * pair_sum
-    delta = sqrt(a * a * rest + b * b * square)
-    across = sqrt(square * rest)
-    root = sqrt(point.one)
-    far = 4 * delta * across / square - 2 * root * (1 + x * point.product / (x * x + strength * strength))
-    # Towards the tip the terms above are large and cancel; x² − x√(X₂X₃) is told by what X₂X₃ is in x.
-    gap = x * (x * pair_sum - pair_product) / (abs(x) + point.product)
-    near = 4 * (b - a) * (b + a) * across / delta
-    near = near + 2 * root * (strength * strength + gap) / (x * x + strength * strength)
-    kink = pick(x > 1, near, far)
-    return kink + 4 * second_kind(a, b, square, rest, extent) + 2 * (a * a - first) * extent
+def kink_at(first, second, point, root, q, m, square, rest):
+    """The part of η∫cos²(θ − α) without integral; towards the tip its terms are large and cancel in the first form."""
+    b, x, product = point.strength, point.pole, point.product
+    delta, across, near_root = phase_rate(first, second, square, rest), sqrt(square * rest), sqrt(point.one)
+    others = others_sum(q, root)
+    gap = pole_gap(x, abs(x), others, others_product(b, m, root, others), product)
+    far = arc_kink(square, delta, across, b, x, near_root, product)
+    return pick(x > 1, arc_kink_tip(first, second, delta, across, b, x, near_root, gap), far)
 
 
 def rj_pair(x, product, root_sum, p, lift, less, twist):

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/arcs.py: do not edit, change that file.
 
-Digest of the inputs: sha256 f8c4fc852f7660e89380180ca80c95942ebf23993029596540f6e6beb3217f15
+Digest of the inputs: sha256 68d825a1b8133f2fe7fcce4fcc1cfb4cd3aa1fc306d5d177d5f660510fd099da
 """
 
 from __future__ import annotations
@@ -20,6 +20,31 @@ from derive.emit.kernels.array_arithmetic import (
     each_sin,
     each_sqrt,
     pick,
+)
+from derive.emit.kernels.formulas_each import (
+    arc_kink_each,
+    arc_kink_tip_each,
+    arc_square_each,
+    arc_y_each,
+    arc_z_each,
+    far_pair_root_each,
+    far_root_each,
+    others_product_each,
+    others_sum_each,
+    pair_lift_each,
+    pair_root_each,
+    pair_root_sum_each,
+    phase_rate_each,
+    point_near_each,
+    point_pole_each,
+    pole_gap_each,
+    rest_stiffness_each,
+    rj_delta_imag_each,
+    rj_delta_real_each,
+    strength_each,
+    tip_cubic_each,
+    w_imag_each,
+    w_real_each,
 )
 from derive.emit.kernels.swing_each import second_kind_each
 
@@ -48,65 +73,56 @@ class ArcEach(NamedTuple):
 
 def clamp_point_each(motion, phase):
     """The point where the motion meets the clamp."""
-    strength = motion.near_moment / 4
-    sine, cosine = motion.done_sine, each_cos(motion.done / 2)
-    one = strength * motion.left_sine / (sine * motion.sine)
-    product = each_sqrt(motion.near) * phase.delta * phase.whole / (8 * motion.end * sine)
-    a, b = motion.end, motion.middle
-    root_sum = each_sqrt((a * a * phase.rest + b * b * phase.square) / phase.square)
-    return PointEach(strength, strength * cosine / sine, one, product, root_sum)
+    b, done = strength_each(motion.near_moment), motion.done_sine
+    one = point_near_each(b, motion.sine, done, motion.left_sine)
+    product = pair_root_each(each_sqrt(motion.near), done, phase.whole, phase.delta / motion.end)
+    delta = phase_rate_each(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
+    return PointEach(
+        b, point_pole_each(b, done, each_cos(motion.done / 2)), one, product, pair_root_sum_each(phase.square, delta)
+    )
 
 
 def far_point_each(motion):
     """The far turning point."""
-    strength = motion.near_moment / 4
-    cosine = each_cos(motion.half_width)
-    return PointEach(strength, strength * cosine / motion.sine, 0, motion.end * motion.end / 4, motion.middle)
+    b = strength_each(motion.near_moment)
+    pole = point_pole_each(b, motion.sine, each_cos(motion.half_width))
+    return PointEach(b, pole, 0, far_pair_root_each(motion.end), motion.middle)
 
 
 def arc_to_each(beta, eta, field_angle, motion, point, square, rest, extent):
     """The arc from the tip to a point, at ψ, of the given length."""
-    lean = motion.tip - field_angle
-    strength = point.strength
-    spread = strength * strength * eta / 4
-    twist = complex_of(spread * each_cos(2 * lean), spread * each_sin(2 * lean))
-    pole, less = complex_of(point.pole, -strength), complex_of(point.pole - point.one, -strength)
-    lift = complex_of(lift_of_each(motion, square, rest), -strength)
-    third = rj_pair_each(point.one, point.product, point.root_sum, pole, lift, less, twist)
-    excess = complex_of(0, 2 * strength / 3) * third
-    place = complex_of(each_cos(motion.tip), each_sin(motion.tip)) * (extent + excess)
-    kept = (beta * each_cos(motion.tip) + eta * each_cos(lean) * each_cos(lean)) * extent - beta * place.real
-    return ArcEach(
-        place.real, place.imag, kept - 2 * second_part_each(beta, eta, lean, motion, point, square, rest, extent)
-    )
+    sine, cosine, lean = each_sin(motion.tip), each_cos(motion.tip), motion.tip - field_angle
+    double_sine, double_cosine = each_sin(2 * lean), each_cos(2 * lean)
+    root = far_root_each(motion.near, each_cos(motion.half_width))
+    w_re, w_im = shift_each(eta, double_sine, double_cosine, motion, point, root, square, rest)
+    y, z = arc_y_each(sine, cosine, extent, w_re, w_im), arc_z_each(sine, cosine, extent, w_re, w_im)
+    first, second = motion.end / 2, motion.middle / 2
+    q, m = rest_stiffness_each(beta, eta, cosine, double_cosine), tip_cubic_each(beta, eta, sine, double_sine)
+    kink = kink_at_each(first, second, point, root, q, m, square, rest)
+    growth = second_kind_each(first, second, square, rest, extent)
+    return ArcEach(y, z, arc_square_each(beta, eta, cosine, each_cos(lean), first, root, extent, y, kink, growth))
 
 
-def lift_of_each(motion, square, rest):
-    """x + √(X₂X₃), which is small where the motion is nearly a whole turn."""
-    near, far = each_sqrt(motion.near), each_sqrt(motion.far)
-    turn = motion.uneven + 2 * near * motion.half_cosine * motion.half_cosine
-    return near * (turn + 2 * far * rest / square) / 8
+def shift_each(eta, double_sine, double_cosine, motion, point, root, square, rest):
+    """W as real and imaginary part: ∫e^{iθ} from the tip is e^{iφ}(σ + W)."""
+    b, near, far = point.strength, each_sqrt(motion.near), each_sqrt(motion.far)
+    twist = complex_of(rj_delta_real_each(eta, b, double_cosine), rj_delta_imag_each(eta, b, double_sine))
+    lift = pair_lift_each(near, far, motion.uneven, motion.half_cosine, square, rest)
+    pole, lifted, less = complex_of(point.pole, -b), complex_of(lift, -b), complex_of(root, -b)
+    third = rj_pair_each(point.one, point.product, point.root_sum, pole, lifted, less, twist)
+    return w_real_each(b, third.imag), w_imag_each(b, third.real)
 
 
-def second_part_each(beta, eta, lean, motion, point, square, rest, extent):
-    """d℘/dσ·Re 1/(℘ − ℘(v)) less 2∫(℘ − e₁), by which η∫cos²(θ − α) is told from what does not grow along the rod."""
-    a, b = motion.end / 2, motion.middle / 2
-    strength, x = point.strength, point.pole
-    growth = beta * each_cos(motion.tip) + eta * each_cos(2 * lean)
-    cubic = beta * each_sin(motion.tip) - eta * each_sin(lean) * each_cos(lean)
-    first = motion.near * each_cos(motion.half_width) / 8
-    pair_sum = -growth / 4 - first
-    pair_product = strength * cubic / 4 - first * pair_sum
-    delta = each_sqrt(a * a * rest + b * b * square)
-    across = each_sqrt(square * rest)
-    root = each_sqrt(point.one)
-    far = 4 * delta * across / square - 2 * root * (1 + x * point.product / (x * x + strength * strength))
-    # Towards the tip the terms above are large and cancel; x² − x√(X₂X₃) is told by what X₂X₃ is in x.
-    gap = x * (x * pair_sum - pair_product) / (each_abs(x) + point.product)
-    near = 4 * (b - a) * (b + a) * across / delta
-    near = near + 2 * root * (strength * strength + gap) / (x * x + strength * strength)
-    kink = pick(x > 1, near, far)
-    return kink + 4 * second_kind_each(a, b, square, rest, extent) + 2 * (a * a - first) * extent
+def kink_at_each(first, second, point, root, q, m, square, rest):
+    """The part of η∫cos²(θ − α) without integral; towards the tip its terms are large and cancel in the first form."""
+    b, x, product = point.strength, point.pole, point.product
+    delta, across, near_root = phase_rate_each(
+        first, second, square, rest
+    ), each_sqrt(square * rest), each_sqrt(point.one)
+    others = others_sum_each(q, root)
+    gap = pole_gap_each(x, each_abs(x), others, others_product_each(b, m, root, others), product)
+    far = arc_kink_each(square, delta, across, b, x, near_root, product)
+    return pick(x > 1, arc_kink_tip_each(first, second, delta, across, b, x, near_root, gap), far)
 
 
 def rj_pair_each(x, product, root_sum, p, lift, less, twist):

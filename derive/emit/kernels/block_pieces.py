@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from numpy import concatenate, flatnonzero, zeros
+from numpy import concatenate, flatnonzero, unique, zeros
 
 from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.block_records import rows
@@ -108,11 +108,17 @@ def built(rods, mask, field_angle, build):
 
 
 def oblique(rods, mask, side, build):
-    """Some of the rods, and their landscape, built for positive field angles."""
-    if mask.any():
-        some = rows(rods, flatnonzero(mask))
-        scene = build(some.beta, some.eta, side * some.field_angle)
-        yield some, scene if side > 0 else mirror_landscape_each(scene)
+    """Some of the rods, and their landscape, built for positive field angles; a group for each field angle, which
+    decides between formulas and so must be one number."""
+    if not mask.any():
+        return
+    some = rows(rods, flatnonzero(mask))
+    scene = build(some.beta, some.eta, side * some.field_angle)
+    scene = scene if side > 0 else mirror_landscape_each(scene)
+    angles, which = unique(some.field_angle, return_inverse=True)
+    for number, angle in enumerate(angles.tolist()):
+        here = flatnonzero(which == number)
+        yield rows(some, here)._replace(field_angle=angle), rows(scene, here)
 
 
 def ground_of_each(rods, scene, clamp):

@@ -41,7 +41,7 @@ from derive.emit.kernels.swing_each import lengths_each, phase_of_each
 ROUGH_SLOW = 12  # ℓ√(β + η) up to which single precision holds the places of all tips but the most extreme
 ROUGH_DEPTH = 28.0  # places up to which squares of offsets are numbers in single precision
 SPREAD = 2.0**-6  # distance of the places that tell the slope of a branch in single precision
-SAMPLES = 8192  # samples taken at once: arrays that stay in the cache
+SAMPLES = 16384  # samples taken at once: arrays that stay in the cache
 
 
 class Brackets(NamedTuple):
@@ -112,7 +112,8 @@ def ends(rods, piece):
         last = full(rods.slow.shape, 2 * rounding)
     else:
         moment = abs(slope_each(rods.eta, piece.clamp_rest, piece.clamp_offset)) + epsilon() ** 20
-        last = maximum(rounding, 4 + log(2 * piece.width) - log(moment) - 2 * log(rods.length))
+        deeper = 4 + log(2 * piece.width) - log(moment) - 2 * log(rods.length)
+        last = where(piece.high_depth == 0, rounding, maximum(rounding, deeper))
     return first, last
 
 

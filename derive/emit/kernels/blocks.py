@@ -34,7 +34,8 @@ from derive.emit.kernels.block_records import rows
 from derive.emit.kernels.block_search import tips
 from derive.emit.kernels.equilibria import all_equilibria
 
-BLOCK = 4096  # rods at once
+BLOCK = 8192  # rods at once
+FEWEST = 8  # rods of one field angle that are faster on arrays than one by one
 SLOWEST = 250.0  # ℓ√(β + η) from which offsets would be too small for their squares
 
 
@@ -74,20 +75,26 @@ def block(given, max_index):
         slow = own * sqrt(loads[0] + loads[1])
         field = principal_each(field_angle)
         rods = Rods(arange(beta.size), *loads, own, clamp_angle, field, slow)
-        fit = flatnonzero((slow < SLOWEST) & (slow > 0))
-        left = [flatnonzero((slow >= SLOWEST) | (slow == 0))]
+        good = (slow < SLOWEST) & (slow > 0) & in_groups(field)
+        fit, left = flatnonzero(good), flatnonzero(~good)
         mirrored = rods._replace(
             clamp_angle=-clamp_angle, field_angle=where((field == 0) | (field == pi / 2), field, -field)
         )
         parts = [one_side(rows(rods, fit), 1, scale, most)]
         parts.append(one_side(rows(mirrored, fit), -1, scale, most))
-    left = unique(concatenate(left + [doubtful for _, doubtful in parts]))
+    lost = unique(concatenate([left] + [doubtful for _, doubtful in parts]))
     table = Table(*(concatenate(column) for column in zip(*(found for found, _ in parts), strict=True)))
-    if left.size:
-        table = rows(table, ~isin(table.case, left))
-        scalar = [one_by_one([part[case] for part in given], case, max_index) for case in left.tolist()]
+    if lost.size:
+        table = rows(table, ~isin(table.case, lost))
+        scalar = [one_by_one([part[case] for part in given], case, max_index) for case in lost.tolist()]
         table = Table(*(concatenate(column) for column in zip(table, *scalar, strict=True)))
     return rows(table, lexsort((table.tip_angle, table.case)))
+
+
+def in_groups(field_angle):
+    """Whether so many rods share the field angle that they are worth a group of their own."""
+    _, which, number = unique(field_angle, return_inverse=True, return_counts=True)
+    return number[which] >= FEWEST
 
 
 def principal_each(field_angle):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from derive.emit.kernels.arcs import Arc, arc_to, clamp_point, far_point
 from derive.emit.kernels.arithmetic import (
@@ -75,14 +75,22 @@ class Equilibrium:
 
 def all_equilibria(beta, eta, length, clamp_angle, field_angle, max_index):
     """Every equilibrium, sorted by tip angle: from the tips below the clamp angle, above it, and the straight rod."""
-    if beta + eta == 0:
-        return [idle_rod(beta, eta, length, clamp_angle, field_angle)]
+    if length * sqrt(beta + eta) <= epsilon():
+        return [weak_rod(beta, eta, length, clamp_angle, field_angle)]
     most = inf if max_index is None else max_index
     scale = frexp(beta + eta)[1] // 2
     field = principal(field_angle)
     rod = Rod(ldexp(beta, -2 * scale), ldexp(eta, -2 * scale), ldexp(length, scale), clamp_angle, field, 1, scale)
     mirrored = Rod(rod.beta, rod.eta, rod.length, -clamp_angle, reflected(field), -1, scale)
-    return [*below(rod, most), *straight(rod, most), *below(mirrored, most)[::-1]]
+    return in_order([*below(rod, most), *straight(rod, most), *below(mirrored, most)[::-1]])
+
+
+def in_order(found):
+    """The list with tips that are nearer than rounding given as equal, where rounding would exchange them."""
+    for k in range(1, len(found)):
+        if found[k].tip_angle < found[k - 1].tip_angle:
+            found[k] = replace(found[k], tip_angle=found[k - 1].tip_angle)
+    return found
 
 
 def principal(field_angle):
@@ -207,12 +215,15 @@ def straight_rod(rod, rest):
     )
 
 
-def idle_rod(beta, eta, length, clamp_angle, field_angle):
-    """The rod on which nothing acts."""
+def weak_rod(beta, eta, length, clamp_angle, field_angle):
+    """The rod that is all but straight: θ″ is that of the clamp angle, to the square of rounding."""
     rod = Rod(beta, eta, length, clamp_angle, field_angle, 1, 0)
-    nothing = 0 * length
+    lean = clamp_angle - field_angle
+    moment = beta * sin(clamp_angle) + eta * sin(lean) * cos(lean)
+    gamma = 2 * beta * cos(clamp_angle) + eta * cos(lean) * cos(lean)
+    tip = clamp_angle - moment * length * length / 2
     y, z = length * cos(clamp_angle), length * sin(clamp_angle)
-    return Equilibrium(clamp_angle, nothing, nothing, y, z, nothing, 0, rod, None)
+    return Equilibrium(tip, -moment * length, gamma, y, z, -gamma * length / 2, 0, rod, None)
 
 
 def length_of(rod):

@@ -15,6 +15,7 @@ from derive.emit.kernels.shapes import angle_and_position, point_at
 from derive.emit.kernels.swing import phase_at
 
 SHORT = 128  # bins up to which none is looked for that is straight
+AT_A_TIME = 16  # bins whose cells are computed together, so that they stay in the cache
 COARSE = 8  # bins up to which a range is not divided to find straight ones in it
 LONGEST = 48  # the longest series; where more terms are wanted, bins are halved
 
@@ -146,24 +147,29 @@ def states(equilibrium, width, count, position):
 
 def state_of(equilibrium, length, position):
     """The state at a length from the tip."""
-    rod, stay = equilibrium.rod, equilibrium.swing.stay
-    if position or stay.tip + stay.middle + stay.far > 0:
-        angle, curvature, y, z = angle_and_position(equilibrium, ldexp(rod.length - length, -rod.scale))
-        return State(angle, -ldexp(curvature, -rod.scale), complex(y, z))
-    return State(*angle_and_slope(rod, equilibrium.swing, length), 0)
+    rod = equilibrium.rod
+    angle, slope = angle_and_slope(rod, equilibrium.swing, length)
+    if not position:
+        return State(angle, slope, 0)
+    _, _, y, z = angle_and_position(equilibrium, ldexp(rod.length - length, -rod.scale))
+    return State(angle, slope, complex(y, z))
 
 
 def angle_and_slope(rod, swing, length):
-    """θ and its slope at a length from the tip on a rod without stays, which cost much less than y and z."""
-    motion = swing.stay.motion
+    """θ and its slope at a length from the tip; they cost much less than y and z."""
+    stay, motion = swing.stay, swing.stay.motion
     count = floor(length / swing.length)
     within, sign = length - count * swing.length, rod.side
     if count % 2:
         within, sign = swing.length - within, -rod.side
-    if within <= 0:
+    regular = swing.length - stay.tip - stay.middle - stay.far
+    moving = within - min(within, stay.tip)
+    before = min(moving, regular / 2 if stay.middle > 0 else regular)
+    here = min(before + max(moving - before - stay.middle, 0), regular)
+    if here <= 0:
         return rod.side * (motion.tip + 2 * np.pi * swing.turns), 0.0
-    square, rest = phase_at(motion.end / 2, motion.middle / 2, within)
-    point, half = point_at(motion, square, rest)
+    square, rest = phase_at(motion.end / 2, motion.middle / 2, here)
+    point, half, _ = point_at(motion, square, rest)
     cotangent = point.pole / point.strength
     slope = 4 * sqrt(point.one) * point.product / (point.strength * (1 + cotangent * cotangent))
     return rod.side * (motion.tip + 2 * half + 2 * np.pi * swing.turns), sign * slope
@@ -183,12 +189,14 @@ def straight_ranges(state_at, count, turn):
     return ranges
 
 
-def divided(coefficients, half, cells, terms):
+def divided(coefficients, half, cells, change=None):
     """Series about the middles of equal cells of bins, by power and cell, in a place between −1 and 1.
 
-    half: half the width of a bin. terms: how many terms are wanted, of all that the series have.
+    half: half the width of a bin. change: a matrix for the terms of each cell, as many as it has columns; like those of
+    x^k, what it makes of them has no terms beyond the k-th.
     """
     size, part = len(coefficients), half / cells
+    terms = size if change is None else len(change)
     middles = (2 * np.arange(cells) + 1 - cells) * part
     powers = np.zeros((size, terms, cells))
     powers[0, 0] = 1
@@ -196,8 +204,16 @@ def divided(coefficients, half, cells, terms):
         # (middle + part·x)^k, by powers of x.
         powers[k] = middles * powers[k - 1]
         powers[k, 1:] += part * powers[k - 1, :-1]
-    rows = np.zeros((coefficients.shape[1], terms * cells))
-    # The smallest terms first.
-    for coefficient, power in zip(coefficients[::-1], powers[::-1], strict=True):
-        rows += coefficient[:, None] * power.reshape(1, -1)
-    return rows.reshape(-1, terms, cells).transpose(1, 0, 2).reshape(terms, -1)
+    if change is not None:
+        powers = np.einsum("mn,knc->kmc", change, powers)
+    count = coefficients.shape[1]
+    found = np.empty((terms, count, cells))
+    for first in range(0, count, AT_A_TIME):
+        some = slice(first, first + AT_A_TIME)
+        rows = np.zeros((len(coefficients[0, some]), terms * cells))
+        # The smallest terms first; of x^k there are none beyond the k-th.
+        for k in range(size - 1, -1, -1):
+            filled = min(k + 1, terms) * cells
+            rows[:, :filled] += coefficients[k, some, None] * powers[k].reshape(-1)[:filled]
+        found[:, some] = rows.reshape(-1, terms, cells).transpose(1, 0, 2)
+    return found.reshape(terms, -1)

@@ -8,12 +8,16 @@ from derive.emit.kernels.arithmetic import ceil, epsilon, exp
 from derive.emit.kernels.equilibria import Rod
 from derive.emit.kernels.landscape import landscape
 from derive.emit.kernels.pieces import Piece, clamp_in, pieces
-from derive.emit.kernels.search import bracketed_root, delays, dip, grid, refined, stay_at
+from derive.emit.kernels.search import delays, dip, grid, stay_at
 from derive.emit.kernels.swing import times
+from derive.emit.kernels.tracking import zero_between
 from derive.emit.kernels.variations import Change, rates_of_times
 
 # Branches whose extremum is further from the rod's length than this share of it are not looked at.
 WINDOW = 0.5
+# Between neighbouring samples the length is a cubic but for this share of the rod's, or they are nearer than the other.
+COARSE = 0.02
+FINEST = 0.4
 
 
 class Probe(NamedTuple):
@@ -29,13 +33,14 @@ class Probe(NamedTuple):
 class Mark(NamedTuple):
     """An extremum of a branch's length over the tip angle.
 
-    key: what tells it from the others of this rod: side, piece, branch, whether a maximum, and which one. group: what
-    of it stays when it goes over to another piece. height: the length there over the rod's, less 1. slope: the
-    derivative of that by η.
+    key: side, piece, branch, and whether it is a maximum. group: what of it stays when it goes over to another piece.
+    spot: what tells it from the others of its key, the place. height: the length there over the rod's, less 1. slope:
+    the derivative of that by η.
     """
 
     key: tuple
     group: tuple
+    spot: float
     place: float
     height: float
     slope: float
@@ -45,8 +50,8 @@ class Mark(NamedTuple):
 
 
 def marks(sides, wanted=None):
-    """The extrema of all branches of a rod, given from both sides, by key; or only the one wanted."""
-    found = {}
+    """The extrema of all branches of a rod, given from both sides, by key; or only those of the key wanted."""
+    found: dict[tuple, list[Mark]] = {}
     for rod in sides:
         stiff = rod.length * rod.length * (rod.beta + rod.eta) < 2  # nothing meets below (π/2)²
         if stiff or (wanted is not None and wanted[0] != rod.side):
@@ -57,7 +62,7 @@ def marks(sides, wanted=None):
             where = (rod.side, number, piece.low_kind, piece.high_kind, piece.basin.passes)
             if wanted is None or wanted[: len(where)] == where:
                 for mark in marks_on(rod, clamp.turns, piece, where, wanted):
-                    found[mark.key] = mark
+                    found.setdefault(mark.key, []).append(mark)
     return found
 
 
@@ -69,14 +74,12 @@ def marks_on(rod, turns, piece, where, wanted):
         return probe(rod, piece, ends, place)
 
     places = grid(rod.beta, rod.eta, rod.length, piece)
-    samples = refined(sample, [sample(place) for place in places], rod.length)
+    samples = dense(sample, [sample(place) for place in places], rod.length)
     branches = branches_near(samples, rod.length) if wanted is None else [wanted[len(where) : len(where) + 2]]
     for sign, swings in branches:
-        count = {True: 0, False: 0}
         for before, after in brackets_of(sample, samples, sign, swings, rod.length):
             top = rate(before, sign, swings) > 0
-            key = (*where, sign, swings, top, count[top])
-            count[top] += 1
+            key = (*where, sign, swings, top)
             if (wanted is None or key == wanted) and near(before, after, sign, swings, rod.length):
                 yield mark_at(rod, turns, piece, sample, key, sign, swings, before, after)
 
@@ -95,7 +98,24 @@ def probe(rod, piece, ends, place):
     return Probe(place, swing, arrival, *rates)
 
 
-def length_of(item, sign, swings):
+def dense(sample, samples, length):
+    """More samples where the trapezoidal rule for the derivatives misses the difference of the lengths."""
+    done, todo = [samples[0]], samples[:0:-1]
+    while todo:
+        before, after = done[-1], todo[-1]
+        width = after.place - before.place
+        swing = after.swing - before.swing - width * (after.swing_rate + before.swing_rate) / 2
+        arrival = after.arrival - before.arrival - width * (after.arrival_rate + before.arrival_rate) / 2
+        least = min(before.swing, after.swing)
+        miss = abs(arrival) + (length / least * abs(swing) if length > least else 0)
+        if width > FINEST and miss > COARSE * length:
+            todo.append(sample((before.place + after.place) / 2))
+        else:
+            done.append(todo.pop())
+    return done
+
+
+def branch_length(item, sign, swings):
     """The length of a branch."""
     return (2 * swings * item.swing if swings else 0) + sign * item.arrival
 
@@ -115,7 +135,7 @@ def branches_near(samples, length):
 
 def near(before, after, sign, swings, length):
     """Whether one of two neighbours is about as long as the rod."""
-    return any(abs(length_of(item, sign, swings) / length - 1) < WINDOW for item in (before, after))
+    return any(abs(branch_length(item, sign, swings) / length - 1) < WINDOW for item in (before, after))
 
 
 def brackets_of(sample, samples, sign, swings, length):
@@ -153,10 +173,10 @@ def mark_at(rod, turns, piece, sample, key, sign, swings, before, after):
         item = sample(place)
         return (2 * swings * item.swing_rate if swings else 0) + sign * item.arrival_rate
 
-    place = bracketed_root(function, before.place, after.place, function(before.place), function(after.place), 0)
-    height = length_of(sample(place), sign, swings) / rod.length - 1
+    place = zero_between(function, before.place, after.place, function(before.place), function(after.place))
+    height = branch_length(sample(place), sign, swings) / rod.length - 1
     slope = slope_at(rod, piece, place, sign, swings, Change(0, 0, 1))
-    return Mark(key, (rod.side, sign, swings, key[-2]), place, height, slope, rod, turns, piece)
+    return Mark(key, (rod.side, sign, swings, key[-1]), place, place, height, slope, rod, turns, piece)
 
 
 def slope_at(rod, piece, place, sign, swings, change):

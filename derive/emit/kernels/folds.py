@@ -1,4 +1,4 @@
-"""Where equilibria meet and vanish as the field grows, and where two branches of a diagram exchange."""
+"""Where equilibria meet and vanish as the field grows."""
 
 from __future__ import annotations
 
@@ -6,15 +6,11 @@ from dataclasses import dataclass
 
 from derive.emit.kernels.arithmetic import ceil, frexp, ldexp, log, pi, sqrt
 from derive.emit.kernels.equilibria import Rod, bent_rod, direction, principal, reflected
-from derive.emit.kernels.extrema import marks, slope_at
+from derive.emit.kernels.extrema import marks
 from derive.emit.kernels.landscape import landscape
 from derive.emit.kernels.pieces import clamp_in
-from derive.emit.kernels.search import Crossing, bracketed_root
-from derive.emit.kernels.tracking import follow, zeros
-from derive.emit.kernels.variations import Change
-
-# How near, as a share of the loads, an exchange may lie to where its branch's extremum itself appears.
-CLOSE = 1e-3
+from derive.emit.kernels.search import Crossing
+from derive.emit.kernels.tracking import nearest, zeros
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,26 +32,6 @@ class Fold:
     kind: str
 
 
-@dataclass(frozen=True, slots=True)
-class Exchange:
-    """At this β and η the two folds of a diagram over η meet: it changes its aspect as β goes by.
-
-    With F = θ(0) − clamp angle as a function of the tip angle φ and of η: F = ∂F/∂φ = ∂F/∂η = 0. kind: 'exchange',
-    where two branches cross (F has a saddle) and their halves are joined otherwise on either side of β; 'isolated',
-    where a closed branch shrinks to a point and vanishes (F has an extremum). tip_angle, clamp_curvature, y, z: of
-    the rod there. index: the lower of the two indices that meet.
-    """
-
-    beta: float
-    eta: float
-    tip_angle: float
-    clamp_curvature: float
-    y: float
-    z: float
-    index: int
-    kind: str
-
-
 def all_folds(beta, length, clamp_angle, field_angle, low, high):
     """Every fold with η in [low, high], sorted by η and tip angle."""
     scale = frexp(beta + high)[1] // 2
@@ -68,7 +44,7 @@ def all_folds(beta, length, clamp_angle, field_angle, low, high):
     def at(eta, key):
         return marks(both_sides(beta, eta, length, clamp_angle, field, scale), key)
 
-    found = [fold_of(sharpened(at, key, eta)) for key, eta in zeros(at, places, -beta)]
+    found = [fold_of(sharpened(at, mark)) for mark in zeros(at, places, -beta)]
     found += pitchforks(beta, length, clamp_angle, field, scale, places)
     return sorted(found, key=lambda item: (item.eta, item.tip_angle))
 
@@ -96,10 +72,10 @@ def steps(beta, soonest, length, low, high):
     return [start, *(eta for eta in inner if start < eta < high), high]
 
 
-def sharpened(at, key, eta):
+def sharpened(at, mark):
     """The extremum where its length is the rod's, by one step of Newton's method: η then has no error of its own."""
-    mark = at(eta, key)[key]
-    return at(eta - mark.height / mark.slope, key).get(key, mark)
+    eta = mark.rod.eta - mark.height / mark.slope
+    return nearest(at(eta, mark.key), mark.key, mark.spot) or mark
 
 
 def fold_of(mark):
@@ -150,71 +126,3 @@ def straight_at(beta, eta, clamp_angle, field):
     rests = landscape(beta, eta, field).rests
     offsets = clamp_in(rests, clamp_angle).offsets
     return next((rest for rest, offset in zip(rests, offsets, strict=True) if offset == 0), None)
-
-
-def all_exchanges(length, clamp_angle, field_angle, low_beta, high_beta, low, high):
-    """Every point with β and η in these ranges at which two folds meet, sorted by β and η."""
-    scale = frexp(high_beta + high)[1] // 2
-    field = principal(field_angle)
-    low_beta, high_beta, low, high = (ldexp(load, -2 * scale) for load in (low_beta, high_beta, low, high))
-    length = ldexp(length, scale)
-    places = steps(low_beta, high_beta, length, low, high)
-    if not places:
-        return []
-
-    def at(beta, key):
-        def extrema(eta, kept):
-            return marks(both_sides(beta, eta, length, clamp_angle, field, scale), kept)
-
-        return stationary(extrema, places, -beta, key)
-
-    count = ceil(20 * (high_beta - low_beta) / (low_beta + high)) + 3
-    loads = [low_beta, *(low_beta + k * (high_beta - low_beta) / count for k in range(1, count)), high_beta]
-    found = [exchange_of(at, key, beta) for key, beta in zeros(at, loads, -high, CLOSE)]
-    return sorted(found, key=lambda item: (item.beta, item.eta))
-
-
-def stationary(at, places, origin, key):
-    """The extrema of branches whose length is stationary in η too, by key; or only the one wanted."""
-
-    def near(eta, _):
-        return at(eta, None if key is None else key[0])
-
-    rows = follow(near, places, origin, CLOSE)
-    found, count = {}, {}
-    for low, high in zip(rows, rows[1:], strict=False):
-        for name, mark in low.values.items():
-            if name not in high.values or (mark.slope > 0) == (high.values[name].slope > 0):
-                continue
-            top = mark.slope > 0
-            number = count[name, top] = count.get((name, top), -1) + 1
-            if key is None or key == (name, top, number):
-                best = level_point(at, name, low, high)
-                if best is not None:
-                    found[name, top, number] = best._replace(key=(name, top, number), group=(*best.group, top))
-    return found
-
-
-def level_point(at, name, low, high):
-    """The extremum between two rows at which the length is stationary in η; None if it is not there all the way."""
-
-    def function(eta):
-        return at(eta, name)[name].slope
-
-    try:
-        eta = bracketed_root(function, low.place, high.place, low.values[name].slope, high.values[name].slope, 0)
-        return at(eta, name)[name]
-    except KeyError:
-        return None
-
-
-def exchange_of(at, key, beta):
-    """The exchange of a doubly stationary length that is the rod's; a step of Newton's method sharpens β."""
-    mark = at(beta, key)[key]
-    _, sign, swings, top, over = mark.group
-    slope = slope_at(mark.rod, mark.piece, mark.place, sign, swings, Change(0, 1, 0))
-    mark = at(beta - mark.height / slope, key).get(key, mark)
-    rod, found = mark.rod, rod_of(mark._replace(group=mark.group[:-1]))
-    loads = ldexp(rod.beta, 2 * rod.scale), ldexp(rod.eta, 2 * rod.scale)
-    kind = "isolated" if top == over else "exchange"
-    return Exchange(*loads, found.tip_angle, found.clamp_curvature, found.y, found.z, found.index, kind)

@@ -63,7 +63,8 @@ def oblique_landscape(beta, eta, field_angle):
 
 def has_second_pair(beta, eta, field_angle):
     """Whether the field is strong enough for a second hill and well."""
-    return ridge_couple(beta, eta, field_angle, astroid_cusp(field_angle)) > 4 * epsilon() * (beta + eta)
+    # Of a couple c at the cusp the ridge is as high as c to the power 3/2: below this it is lost in rounding.
+    return ridge_couple(beta, eta, field_angle, astroid_cusp(field_angle)) > epsilon() ** 0.7 * (beta + eta)
 
 
 def mirror_landscape(scene):

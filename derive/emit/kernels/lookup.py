@@ -12,6 +12,7 @@ from derive.emit.kernels.shortening import cut
 
 LOOKUP_BLOCK = 8192  # points at a time, so that what is gathered for them stays in the cache
 ANGLE_DEGREE = 6  # of the short series: two gathers of up to four coefficients each
+TERMS = 9  # of the series before what can be left out is left out
 PLACE_DEGREE = 5  # the slope is not asked for, so it needs a degree less
 
 
@@ -35,9 +36,8 @@ def by_lookup(equilibrium, bins, s, position):
     """θ, θ′, y and z at s; y and z are None without ``position``."""
     table = table_of(equilibrium, bins, position)
     results = [np.empty(s.size) for _ in range(4 if position else 2)]
-    spare = Spare(
-        *(np.empty(LOOKUP_BLOCK) for _ in range(3)), np.empty((LOOKUP_BLOCK, 4)), np.empty(LOOKUP_BLOCK, dtype=np.intp)
-    )
+    gathered, row = np.empty((LOOKUP_BLOCK, 4)), np.empty(LOOKUP_BLOCK, dtype=np.intp)
+    spare = Spare(np.empty(LOOKUP_BLOCK), np.empty(LOOKUP_BLOCK), np.empty(LOOKUP_BLOCK), gathered, row)
     for first in range(0, s.size, LOOKUP_BLOCK):
         block = slice(first, min(first + LOOKUP_BLOCK, s.size))
         fill(equilibrium.rod, table, s[block], [part[block] for part in results], spare)
@@ -122,50 +122,53 @@ def gather(coefficients, row, gathered):
 def table_of(equilibrium, bins, position):
     """The table of an equilibrium, by its bins: as many cells in each as the short series need."""
     rod = equilibrium.rod
-    cells, parts = 16, None
+    cells, parts = 32, None
     while parts is None:
         cells *= 2
         parts = short_series(rod, bins, cells, position)
     uniform = not np.any(bins.straight)
     counts = np.where(bins.straight, 1, cells)
+    period, advance = period_of(equilibrium)
     return Table(
         bins.start * (cells if uniform else 1),
         cells / bins.width if uniform else 1 / bins.width,
         None if uniform else np.stack((np.cumsum(counts) - counts, counts), axis=1).astype(float),
         tuple(halves(part * 2.0 ** np.arange(len(part))[:, None]) for part in parts),
-        *period_of(equilibrium),
+        period,
+        advance,
         -ldexp(cells / bins.width, rod.scale),
     )
 
 
 def short_series(rod, bins, cells, position):
     """The series of all cells in a place between −1 and 1; None if they are not right to a quarter spacing."""
-    angle = in_cells(bins, bins.angle, cells)
+    angle, rest = in_cells(bins, bins.angle, cells, ANGLE_DEGREE)
     # In a straight cell, which is wider, the slope is right by the width of the others; θ there changes by nothing.
     angle[1:, np.repeat(bins.straight, np.where(bins.straight, 1, cells))] /= cells
-    angle, _, error = cut(angle, ANGLE_DEGREE)
-    if error > quarter() * bins.width / (2 * cells):
+    # The slope of T_n is at most n².
+    orders = np.arange(ANGLE_DEGREE + 1, TERMS)
+    if np.max(orders * orders @ rest) > quarter() * bins.width / (2 * cells):
         return None
-    if not position:
-        return [angle]
-    (y, y_error, _), (z, z_error, _) = (
-        cut(in_cells(bins, part, cells), PLACE_DEGREE) for part in (bins.place.real, bins.place.imag)
-    )
-    allowed = quarter() * ldexp(max(1.0, rod.length), -rod.scale)
-    return [angle, y, z] if max(y_error, z_error) <= allowed else None
+    parts = [angle]
+    for place in (bins.place.real, bins.place.imag) if position else ():
+        part, rest = in_cells(bins, place, cells, PLACE_DEGREE)
+        if np.max(rest.sum(axis=0)) > quarter() * ldexp(max(1.0, rod.length), -rod.scale):
+            return None
+        parts.append(part)
+    return parts
 
 
-def in_cells(bins, coefficients, cells):
-    """The series of all cells, with two terms more than what is wanted; a straight bin is one cell."""
-    terms, half = ANGLE_DEGREE + 3, bins.width / 2
-    bent = divided(coefficients[:, ~bins.straight], half, cells, terms)
-    if not np.any(bins.straight):
-        return bent
-    whole = np.repeat(bins.straight, np.where(bins.straight, 1, cells))
-    series = np.empty((terms, len(whole)))
-    series[:, ~whole] = bent
-    series[:, whole] = divided(coefficients[:, bins.straight], half, 1, terms)
-    return series
+def in_cells(bins, coefficients, cells, degree):
+    """The series of all cells, and the largest parts that are left out of any; a straight bin is one cell."""
+    change, bent = cut(TERMS, degree), ~bins.straight
+    found = divided(coefficients[:, bent], bins.width / 2, cells, change)
+    if not np.all(bent):
+        whole = np.repeat(bins.straight, np.where(bins.straight, 1, cells))
+        both = np.empty((TERMS, len(whole)))
+        both[:, ~whole] = found
+        both[:, whole] = divided(coefficients[:, bins.straight], bins.width / 2, 1, change)
+        found = both
+    return found[: degree + 1], abs(found[degree + 1 :])
 
 
 def halves(coefficients):

@@ -88,7 +88,8 @@ def reach(eta, rest, amount, most, side):
     most: the distance of the next well (or hill). Newton's method for the square root of the difference, which is
     nearly linear, from the pendulum's value.
     """
-    share = amount / abs(fall(eta, rest, 0, side * most))
+    amount = larger(amount, 0)  # of a hill and a well that nearly meet, rounding may give less
+    share = amount / larger(abs(fall(eta, rest, 0, side * most)), epsilon() ** 20)
     near = most * asin(sqrt(pick(share < 1, share, 1))) * (2 / pi)
     goal, moving = sqrt(amount), True
     for _ in range(40):
@@ -259,7 +260,9 @@ def level_turn(ground):
     down = basin.well.angle - basin.hill.angle
     above, below = -fall(eta, basin.well, 0, at[1]), fall(eta, basin.far, 0, at[2])
     from_well = reach(eta, basin.well, above, down, -1)
-    width = onward(eta, basin.hill, level, below, down - level - from_well)
+    # Towards the well V is flat and tells little, but there the angles tell all.
+    rough = down - level - from_well
+    width = pick(below < above / 4, onward(eta, basin.hill, level, below, rough), rough)
     return piece_of(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
 
 
@@ -280,7 +283,8 @@ def pass_turn(ground):
     eta, over, level, at = ground.eta, over_ridge(ground), ground.level, ground.at
     down = over.well.angle - over.hill.angle
     width = -at[4] if over.even else reach(eta, over.hill, fall(eta, over.far, 0, at[4]), down, 1)
-    gap = -onward(eta, over.hill, level, ground.height, width - level)
+    # Towards the hill V is flat and tells little, but there the angles tell all.
+    gap = pick(width < level / 2, level - width, -onward(eta, over.hill, level, ground.height, width - level))
     return piece_of(over, "hill", "turn", 0, width, down - width, at[0] - width, gap, at)
 
 

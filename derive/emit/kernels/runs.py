@@ -86,7 +86,7 @@ def series_of(rod, bins, cells, position):
     """
     half = bins.width / 2
     places = (bins.place.real, bins.place.imag) if position else ()
-    angle, *parts = (divided(part, half, cells, len(part)) for part in (bins.angle, *places))
+    angle, *parts = (divided(part, half, cells) for part in (bins.angle, *places))
     slope = -ldexp(cells / half, rod.scale) * np.arange(1, len(angle))[:, None] * angle[1:]
     parts = [angle, slope, *parts]
     length = ldexp(max(1.0, rod.length), -rod.scale)

@@ -11,7 +11,8 @@ from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import ceil, deepest, epsilon, floor, inf, log, pi, sqrt
 from derive.emit.kernels.motion import Motion, motion_at
-from derive.emit.kernels.pieces import slope
+from derive.emit.kernels.landscape import astroid_cusp, ridge_couple
+from derive.emit.kernels.pieces import fall, reach, slope
 from derive.emit.kernels.swing import times
 
 
@@ -110,7 +111,7 @@ def crossings(beta, eta, field_angle, length, piece, most):
 
     # No half-swing is shorter than that of the stiffest pendulum.
     signs = (1,) if length * sqrt(beta + eta) < pi else (1, -1)
-    samples = refined(sample, [sample(place) for place in grid(beta, eta, length, piece)], length)
+    samples = refined(sample, [sample(place) for place in places(beta, eta, field_angle, length, piece)], length)
     end = end_sample(piece, samples[-1])
     if end is not None:
         samples.append(end)
@@ -140,6 +141,27 @@ def crossing(sample, turns, sign, length, before, after, beside):
     points = (before.place, after.place, beside.place), (low, high, third)
     place = bracketed_root(function, *points, epsilon() * length)
     return Crossing(place, turns, sign, high > low)
+
+
+def places(beta, eta, field_angle, length, piece):
+    """Places to begin with, closer around the level at which the motion nearly meets a ridge that is not quite there."""
+    found, basin = grid(beta, eta, length, piece), piece.basin
+    if basin.even or basin.passes or piece.low_kind == "level" or basin.far.quarters - basin.hill.quarters != 4:
+        return found
+    angle = abs(field_angle)
+    cusp = angle + pi + astroid_cusp(angle)
+    # How far η is below the value at which the ridge would appear.
+    missing = max(-ridge_couple(beta, eta, angle, astroid_cusp(angle)) / (beta + eta), epsilon())
+    cusp = cusp if field_angle > 0 else 2 * pi - cusp
+    down = basin.well.angle - basin.hill.angle
+    rise = reach(eta, basin.hill, fall(eta, basin.hill, 0, cusp - basin.hill.angle), down, 1)
+    if missing > 0.3 or not 0 < rise < piece.width:
+        return found
+    middle = log(rise / (piece.width - rise))
+    # The range of tips that it slows down shrinks with the power 3/2.
+    steps = [0.25**k for k in range(ceil(1.1 * log(1 / missing)) + 3)]
+    around = [middle, *(middle - step for step in steps), *(middle + step for step in steps)]
+    return sorted([*found, *(place for place in around if found[0] < place < found[-1])])
 
 
 def grid(beta, eta, length, piece):

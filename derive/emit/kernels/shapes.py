@@ -3,7 +3,28 @@
 from __future__ import annotations
 
 from derive.emit.kernels.arcs import Arc, Point, arc_to
-from derive.emit.kernels.arithmetic import atan2, cos, floor, ldexp, pi, sin, sqrt
+from derive.emit.kernels.arithmetic import atan2, cos, floor, ldexp, pi, pick, sin, sqrt
+from derive.emit.kernels.formulas import (
+    chi_cosine,
+    chi_coversine,
+    chi_rate,
+    chi_scale,
+    chi_versine,
+    near_by_phase,
+    pair_root,
+    pair_root_sum,
+    phase_rate,
+    phase_sum,
+    point_pole,
+    point_speed,
+    strength,
+    turn_level,
+    turn_over,
+    turn_tilt,
+    turn_tilt_apart,
+    turn_under,
+    unit_sine,
+)
 from derive.emit.kernels.swing import phase_at
 
 
@@ -11,8 +32,10 @@ def angle_and_position(equilibrium, s):
     """θ, θ′, y and z at an arc length s from the clamp."""
     rod, swing = equilibrium.rod, equilibrium.swing
     if swing is None:
-        share = s / ldexp(rod.length, -rod.scale)
-        return equilibrium.tip_angle + 0 * s, 0 * s, equilibrium.y * share, equilibrium.z * share
+        length = ldexp(rod.length, -rod.scale)
+        share, left, bend = s / length, length - s, equilibrium.clamp_curvature
+        angle = equilibrium.tip_angle - bend * left * (left / length) / 2
+        return angle, bend * (left / length), equilibrium.y * share, equilibrium.z * share
     sigma = rod.length - ldexp(s, rod.scale)
     count = floor(sigma / swing.length)
     within = sigma - count * swing.length
@@ -50,39 +73,34 @@ def regular_part(rod, motion, length):
     if length <= 0:
         return motion.tip, 0 * length, Arc(0, 0, 0)
     square, rest = phase_at(motion.end / 2, motion.middle / 2, length)
-    point, half = point_at(motion, square, rest)
+    point, half, low = point_at(motion, square, rest)
     arc = arc_to(rod.beta, rod.eta, rod.field_angle, motion, point, square, rest, length)
-    # dx/dσ = −2√X₁X₂X₃ and x = b cot(δ/2).
-    low = sin(half)
-    speed = 4 * sqrt(point.one) * point.product * low * low / point.strength
+    speed = point_speed(point.strength, low, point.one, point.product)
     return motion.tip + 2 * half, speed, arc
 
 
 def point_at(motion, square, rest):
-    """The point at ψ by sin²ψ and cos²ψ, and half the angle from the tip to it.
-
-    By cos χ, from the duplication of the argument (DLMF 22.6(iii)), in forms that lose nothing where the motion is
-    nearly a whole turn.
-    """
-    a, b = motion.end / 2, motion.middle / 2
-    near, far = sqrt(motion.near), sqrt(motion.far)
-    strength = motion.near_moment / 4
-    delta = sqrt(a * a * rest + b * b * square)
-    one = a * a * a * a * rest / (square * delta * delta)
+    """The point at ψ by sin²ψ and cos²ψ, and half the angle from the tip to it with its sine, by cos χ."""
+    a, b, near, far = motion.end / 2, motion.middle / 2, sqrt(motion.near), sqrt(motion.far)
     flat = (b / a) * (b / a) * square
-    scale = rest * (1 + square) + flat * square
-    turned = (rest * rest - flat * square) / scale
-    versine = 2 * square * (rest + flat) / scale
-    bent = (rest * rest + flat * (1 + rest)) / scale
-    tilt = motion.uneven + turned * (near + far)
+    scale = chi_scale(square, rest, flat)
+    versine, coversine = chi_versine(square, rest, flat, scale), chi_coversine(rest, scale)
+    level = turn_level(near, far, versine, coversine)
+    # The difference of the roots where they are near each other, else that of the terms themselves.
+    alike = turn_tilt(near, far, motion.uneven, chi_cosine(square, rest, flat, scale))
+    apart = turn_tilt_apart(near, far, versine, coversine)
+    tilt = pick(abs(motion.uneven) < 0.1 * (near + far), alike, apart)
     sine, cosine = sin(motion.half_width / 2), motion.half_cosine
-    level = near * versine + far * (1 + turned)
-    first = 2 * sine * cosine * near * versine
-    first_level = cosine * cosine * level + sine * sine * tilt
-    second = 4 * sine * cosine * far * rest / scale
-    second_level = cosine * cosine * level - sine * sine * tilt
-    low = first / sqrt(first * first + first_level * first_level)
-    high = second / sqrt(second * second + second_level * second_level)
-    product = near * bent * (far * low + near * high) / (8 * low)
-    pole = strength * first_level / first
-    return Point(strength, pole, one, product, 2 * delta / sqrt(square)), atan2(first, first_level)
+    over, under = turn_over(near, sine, cosine, versine), turn_under(sine, cosine, level, tilt)
+    left_over, left_under = turn_over(far, sine, cosine, coversine), turn_under(sine, cosine, level, -tilt)
+    done = unit_sine(over, under)
+    whole = phase_sum(near, far, done, unit_sine(left_over, left_under))
+    delta, strong = phase_rate(a, b, square, rest), strength(motion.near_moment)
+    point = Point(
+        strong,
+        point_pole(strong, over, under),
+        near_by_phase(square, rest, a * a / delta),
+        pair_root(near, done, whole, chi_rate(square, rest, flat, scale)),
+        pair_root_sum(square, delta),
+    )
+    return point, atan2(over, under), done

@@ -17,13 +17,12 @@ def shortened(coefficients, allowed):
     return of_chebyshev[:kept, :kept].T @ parts[:kept]
 
 
-def cut(coefficients, degree):
-    """Polynomials, a column each, of a degree, near the given ones in [−1, 1]; by how much at most they and their
-    slopes differ: T_n is at most 1 there, and its slope at most n²."""
-    of_powers, of_chebyshev = chebyshev(len(coefficients))
-    parts, kept = of_powers.T @ coefficients, degree + 1
-    rest, orders = abs(parts[kept:]), np.arange(kept, len(parts))
-    return of_chebyshev[:kept, :kept].T @ parts[:kept], np.max(rest.sum(axis=0)), np.max((orders * orders) @ rest)
+def cut(terms, degree):
+    """The matrix by which a polynomial's terms become those of one of a degree near it in [−1, 1], and below them the
+    coefficients of the Chebyshev polynomials by which the two differ."""
+    of_powers, of_chebyshev = chebyshev(terms)
+    kept = degree + 1
+    return np.concatenate((of_chebyshev[:kept, :kept].T @ of_powers.T[:kept], of_powers.T[kept:]))
 
 
 def chebyshev(size):

@@ -5,6 +5,23 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import any_of, atan2, epsilon, hypot, pi, pick, sin, sqrt
+from derive.emit.kernels.formulas import (
+    back_below,
+    back_below_rest,
+    back_rest,
+    back_square,
+    chi_square,
+    gauss_rest,
+    gauss_square,
+    half_rest,
+    half_rest_beyond,
+    half_square,
+    half_square_beyond,
+    phase_lead,
+    phase_rate,
+    phase_sum,
+    second_kind_step,
+)
 
 
 class Phase(NamedTuple):
@@ -21,20 +38,17 @@ class Phase(NamedTuple):
 
 
 def phase_of(motion):
-    """The phase of the clamp, from χ by the duplication of an elliptic argument (DLMF 22.6(iii))."""
-    near, far = sqrt(motion.near), sqrt(motion.far)
-    done, left = far * motion.done_sine, near * motion.left_sine
-    # left − done, where the motion is symmetric by the sines, and else by the difference of its ends.
-    ahead = 2 * near * motion.half_cosine * sin((motion.left - motion.done) / 4)
-    ahead = ahead - motion.uneven * motion.done_sine
-    whole = done + left
-    square, cosine = 4 * (done / whole) * (left / whole), ahead / whole
-    a, b = motion.end, motion.middle
-    delta = hypot(a * cosine, b * sqrt(square))
-    first = cosine >= 0
-    versine = pick(first, square / (1 + abs(cosine)), 1 - cosine)
-    along = pick(first, delta + a * cosine, b * b * square / (delta + a * abs(cosine)))
-    return Phase(a * versine / (a + delta), along / (a + delta), whole, delta)
+    """The phase of the clamp: χ by the half-angle sines, and ψ by χ."""
+    near, far, end = sqrt(motion.near), sqrt(motion.far), motion.end
+    done, left = motion.done_sine, motion.left_sine
+    whole = phase_sum(near, far, done, left)
+    gap = sin((motion.left - motion.done) / 4)
+    cosine = phase_lead(near, motion.half_cosine, motion.uneven, done, gap) / whole
+    square, size, first = chi_square(far * done / whole, near * left / whole), abs(cosine), cosine >= 0
+    delta = hypot(end * cosine, motion.middle * sqrt(square))
+    half = pick(first, half_square(end, square, size, delta), half_square_beyond(end, size, delta))
+    rest = pick(first, half_rest(end, size, delta), half_rest_beyond(end, motion.middle, square, size, delta))
+    return Phase(half, rest, whole, delta)
 
 
 def times(motion):
@@ -51,11 +65,9 @@ def lengths(a, b, square, rest):
     limit, more = 2 * epsilon() ** 0.5, True
     while more:
         more = any_of(abs(a - b) > limit * a)
-        delta = sqrt(a * a * rest + b * b * square)
+        delta = phase_rate(a, b, square, rest)
         total, below = a + b, a + delta
-        inner = a + (a * a + b * b * square) / (delta + b * square)
-        scale = below * below
-        square, rest = total * total * square / scale, 2 * a * rest * inner / scale
+        square, rest = gauss_square(square, total, below), gauss_rest(a, b, square, rest, delta, below)
         a, b = total / 2, sqrt(a * b)
     mean = (a + b) / 2
     return pi / (2 * mean), atan2(sqrt(square), sqrt(rest)) / mean
@@ -63,17 +75,15 @@ def lengths(a, b, square, rest):
 
 def second_kind(a, b, square, rest, arrival):
     """(b² − a²)∫sin²ψ over the same range as ``arrival``, the length, by the same transformation (DLMF 19.8.19)."""
-    limit, more, weight, total = 2 * epsilon() ** 0.5, True, 1, 0
+    limit, more, weight, growth = 2 * epsilon() ** 0.5, True, 1, 0
     while more:
         more = any_of(abs(a - b) > limit * a)
-        delta = sqrt(a * a * rest + b * b * square)
-        total = total - weight * (a - b) * (a + b) * (arrival / 2 - sqrt(square * rest) / (a + delta))
-        sum_, below = a + b, a + delta
-        inner = a + (a * a + b * b * square) / (delta + b * square)
-        scale = below * below
-        square, rest = sum_ * sum_ * square / scale, 2 * a * rest * inner / scale
-        a, b, weight = sum_ / 2, sqrt(a * b), 2 * weight
-    return total
+        delta = phase_rate(a, b, square, rest)
+        growth = growth - weight * second_kind_step(a, b, square, rest, delta, arrival)
+        total, below = a + b, a + delta
+        square, rest = gauss_square(square, total, below), gauss_rest(a, b, square, rest, delta, below)
+        a, b, weight = total / 2, sqrt(a * b), 2 * weight
+    return growth
 
 
 def phase_at(a, b, length):
@@ -92,7 +102,6 @@ def phase_at(a, b, length):
     square, rest = pick(first, small, 1 - small), pick(first, 1 - small, small)
     for a, b in reversed(steps):
         gap = a - b
-        below = pick(gap > 0, a + b + gap * square, 2 * a - gap * rest)
-        wide = 4 * a * b + gap * gap * rest
-        square, rest = 4 * a * a * square / (below * below), rest * wide / (below * below)
+        below = pick(gap > 0, back_below(a, b, square), back_below_rest(a, b, rest))
+        square, rest = back_square(a, square, below), back_rest(a, b, gap, rest, below)
     return square, rest

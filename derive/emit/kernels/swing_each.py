@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/swing.py: do not edit, change that file.
 
-Digest of the inputs: sha256 0f4f8e730c23a188f7a4a469e33144954f870eccc911d6ea3424c12eb6641a2a
+Digest of the inputs: sha256 b94197344dff951c7aabf06638dc7f7c0d685abcfd1a36c668934d5dbd92f11f
 """
 
 from __future__ import annotations
@@ -11,6 +11,23 @@ from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import any_of, each_abs, each_atan2, each_hypot, each_sin, each_sqrt, pick
+from derive.emit.kernels.formulas_each import (
+    back_below_each,
+    back_below_rest_each,
+    back_rest_each,
+    back_square_each,
+    chi_square_each,
+    gauss_rest_each,
+    gauss_square_each,
+    half_rest_beyond_each,
+    half_rest_each,
+    half_square_beyond_each,
+    half_square_each,
+    phase_lead_each,
+    phase_rate_each,
+    phase_sum_each,
+    second_kind_step_each,
+)
 
 
 class PhaseEach(NamedTuple):
@@ -27,20 +44,17 @@ class PhaseEach(NamedTuple):
 
 
 def phase_of_each(motion):
-    """The phase of the clamp, from χ by the duplication of an elliptic argument (DLMF 22.6(iii))."""
-    near, far = each_sqrt(motion.near), each_sqrt(motion.far)
-    done, left = far * motion.done_sine, near * motion.left_sine
-    # left − done, where the motion is symmetric by the sines, and else by the difference of its ends.
-    ahead = 2 * near * motion.half_cosine * each_sin((motion.left - motion.done) / 4)
-    ahead = ahead - motion.uneven * motion.done_sine
-    whole = done + left
-    square, cosine = 4 * (done / whole) * (left / whole), ahead / whole
-    a, b = motion.end, motion.middle
-    delta = each_hypot(a * cosine, b * each_sqrt(square))
-    first = cosine >= 0
-    versine = pick(first, square / (1 + each_abs(cosine)), 1 - cosine)
-    along = pick(first, delta + a * cosine, b * b * square / (delta + a * each_abs(cosine)))
-    return PhaseEach(a * versine / (a + delta), along / (a + delta), whole, delta)
+    """The phase of the clamp: χ by the half-angle sines, and ψ by χ."""
+    near, far, end = each_sqrt(motion.near), each_sqrt(motion.far), motion.end
+    done, left = motion.done_sine, motion.left_sine
+    whole = phase_sum_each(near, far, done, left)
+    gap = each_sin((motion.left - motion.done) / 4)
+    cosine = phase_lead_each(near, motion.half_cosine, motion.uneven, done, gap) / whole
+    square, size, first = chi_square_each(far * done / whole, near * left / whole), each_abs(cosine), cosine >= 0
+    delta = each_hypot(end * cosine, motion.middle * each_sqrt(square))
+    half = pick(first, half_square_each(end, square, size, delta), half_square_beyond_each(end, size, delta))
+    rest = pick(first, half_rest_each(end, size, delta), half_rest_beyond_each(end, motion.middle, square, size, delta))
+    return PhaseEach(half, rest, whole, delta)
 
 
 def times_each(motion):
@@ -57,11 +71,9 @@ def lengths_each(a, b, square, rest):
     limit, more = 2 * epsilon() ** 0.5, True
     while more:
         more = any_of(each_abs(a - b) > limit * a)
-        delta = each_sqrt(a * a * rest + b * b * square)
+        delta = phase_rate_each(a, b, square, rest)
         total, below = a + b, a + delta
-        inner = a + (a * a + b * b * square) / (delta + b * square)
-        scale = below * below
-        square, rest = total * total * square / scale, 2 * a * rest * inner / scale
+        square, rest = gauss_square_each(square, total, below), gauss_rest_each(a, b, square, rest, delta, below)
         a, b = total / 2, each_sqrt(a * b)
     mean = (a + b) / 2
     return pi / (2 * mean), each_atan2(each_sqrt(square), each_sqrt(rest)) / mean
@@ -69,17 +81,15 @@ def lengths_each(a, b, square, rest):
 
 def second_kind_each(a, b, square, rest, arrival):
     """(b² − a²)∫sin²ψ over the same range as ``arrival``, the length, by the same transformation (DLMF 19.8.19)."""
-    limit, more, weight, total = 2 * epsilon() ** 0.5, True, 1, 0
+    limit, more, weight, growth = 2 * epsilon() ** 0.5, True, 1, 0
     while more:
         more = any_of(each_abs(a - b) > limit * a)
-        delta = each_sqrt(a * a * rest + b * b * square)
-        total = total - weight * (a - b) * (a + b) * (arrival / 2 - each_sqrt(square * rest) / (a + delta))
-        sum_, below = a + b, a + delta
-        inner = a + (a * a + b * b * square) / (delta + b * square)
-        scale = below * below
-        square, rest = sum_ * sum_ * square / scale, 2 * a * rest * inner / scale
-        a, b, weight = sum_ / 2, each_sqrt(a * b), 2 * weight
-    return total
+        delta = phase_rate_each(a, b, square, rest)
+        growth = growth - weight * second_kind_step_each(a, b, square, rest, delta, arrival)
+        total, below = a + b, a + delta
+        square, rest = gauss_square_each(square, total, below), gauss_rest_each(a, b, square, rest, delta, below)
+        a, b, weight = total / 2, each_sqrt(a * b), 2 * weight
+    return growth
 
 
 def phase_at_each(a, b, length):
@@ -98,7 +108,6 @@ def phase_at_each(a, b, length):
     square, rest = pick(first, small, 1 - small), pick(first, 1 - small, small)
     for a, b in reversed(steps):
         gap = a - b
-        below = pick(gap > 0, a + b + gap * square, 2 * a - gap * rest)
-        wide = 4 * a * b + gap * gap * rest
-        square, rest = 4 * a * a * square / (below * below), rest * wide / (below * below)
+        below = pick(gap > 0, back_below_each(a, b, square), back_below_rest_each(a, b, rest))
+        square, rest = back_square_each(a, square, below), back_rest_each(a, b, gap, rest, below)
     return square, rest

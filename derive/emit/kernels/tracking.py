@@ -2,55 +2,56 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from itertools import pairwise
+from typing import Any, NamedTuple
 
-from derive.emit.kernels.arithmetic import inf, sqrt
-from derive.emit.kernels.search import bracketed_root, dip
+from derive.emit.kernels.arithmetic import epsilon, inf, sqrt
+from derive.emit.kernels.search import dip, interpolated
 
 # An interval of the parameter is halved down to this share of it to find where a height appears or disappears.
 LEAST = 1e-12
 # Where one disappears and another one of its group appears, within the least interval, their heights differ by less.
 LEAP = 1e-5
+# A spot moves by less than this from row to row, or it is not the same one's.
+FURTHEST = 3
 
 
 class Row(NamedTuple):
-    """What is at a place of the parameter: by key, records that have a key, a group and a height."""
+    """What is at a place of the parameter: by key, lists of records in the order of their spots.
+
+    A record has a spot, by which it is told from others of its key, a group, which it keeps if it goes over to
+    another key, and a height.
+    """
 
     place: float
     values: dict
 
 
 class Bracket(NamedTuple):
-    """Places between which the height of a key changes sign."""
+    """Places between which the height of a record changes sign, and the record on either side."""
 
     key: tuple
     low: float
     high: float
-    low_height: float
-    high_height: float
+    before: Any
+    after: Any
 
 
 def zeros(values_at, places, origin, least=LEAST):
-    """(key, place) wherever a height that is followed vanishes; origin: the place from which widths are measured.
+    """The records, each at the place of the parameter where its height vanishes.
 
-    values_at(place, key): the records by key, at least the one of this key unless it is None.
+    values_at(place, key): the records by key, at least those of this key unless it is None. origin: the place from
+    which widths are measured.
     """
     rows = follow(values_at, places, origin, least)
     found, crossed = [], []
-    for low, high in zip(rows, rows[1:], strict=False):
+    for low, high in pairwise(rows):
         crossed += changes(low, high)
         if share(low, high, origin) <= least:
             found += leaps(low, high)
     for triple in zip(rows, rows[1:], rows[2:], strict=False):
         crossed += touched(values_at, triple)
-    for bracket in crossed:
-        place = root(values_at, bracket)
-        if place is not None:
-            found.append((bracket.key, place))
-        elif (bracket.high - bracket.low) / (bracket.high - origin) > least:
-            width = (bracket.high - bracket.low) / 8
-            inner = [bracket.low, *(bracket.low + k * width for k in range(1, 8)), bracket.high]
-            found += [item for item in zeros(values_at, inner, origin, least) if item[0] == bracket.key]
+    found += [record for record in (root(values_at, bracket) for bracket in crossed) if record is not None]
     return found
 
 
@@ -60,13 +61,14 @@ def share(low, high, origin):
 
 
 def follow(values_at, places, origin, least):
-    """Rows so dense that the same keys are on both sides, or the interval is negligible."""
+    """Rows so dense that the same records are on both sides, or the interval is negligible."""
     rows = [Row(places[0], values_at(places[0], None))]
     todo = [Row(place, values_at(place, None)) for place in places[:0:-1]]
     while todo:
         low, high = rows[-1], todo[-1]
         wide = share(low, high, origin)
-        if wide > least and any(abs(item.height) < 2 * sqrt(wide) for item in lonely(low, high) + lonely(high, low)):
+        alone = [record for records in lonely(low, high) for record in records]
+        if wide > least and any(abs(record.height) < 2 * sqrt(wide) for record in alone):
             middle = (low.place + high.place) / 2
             todo.append(Row(middle, values_at(middle, None)))
         else:
@@ -74,72 +76,118 @@ def follow(values_at, places, origin, least):
     return rows
 
 
-def lonely(row, other):
-    """What is in a row, and not in the other one."""
-    return [item for key, item in row.values.items() if key not in other.values]
+def matched(low, high):
+    """(key, record, record) for what is on both sides: the nearest spots of a key, in their order."""
+    found = []
+    for key, here in low.values.items():
+        there, first = high.values.get(key, []), 0
+        turned = len(here) > len(there)
+        few, many = (there, here) if turned else (here, there)
+        for k, record in enumerate(few):
+            last = len(many) - (len(few) - k) + 1
+            best = min(range(first, last), key=lambda j: abs(many[j].spot - record.spot))
+            first = best + 1
+            if abs(many[best].spot - record.spot) < FURTHEST:
+                found.append((key, many[best], record) if turned else (key, record, many[best]))
+    return found
+
+
+def lonely(low, high):
+    """The records that are in the first row only, and in the second one only."""
+    pairs = matched(low, high)
+    kept = {id(record) for _, before, after in pairs for record in (before, after)}
+    return [[item for items in row.values.values() for item in items if id(item) not in kept] for row in (low, high)]
 
 
 def changes(low, high):
     """The changes of sign between two rows."""
-    found = []
-    for key, item in low.values.items():
-        if key in high.values:
-            before, after = item.height, high.values[key].height
-            if before != 0 and (before < 0) != (after < 0):
-                found.append(Bracket(key, low.place, high.place, before, after))
-    return found
+    return [
+        Bracket(key, low.place, high.place, before, after)
+        for key, before, after in matched(low, high)
+        if before.height != 0 and (before.height < 0) != (after.height < 0)
+    ]
 
 
 def leaps(low, high):
     """The changes of sign of what goes over from one key to another within a negligible interval."""
     found = []
-    for item in lonely(low, high):
-        for other in lonely(high, low):
+    first, second = lonely(low, high)
+    for item in first:
+        for other in second:
             small = abs(item.height) < LEAP and abs(other.height) < LEAP
             if small and item.group == other.group and item.height != 0 and (item.height < 0) != (other.height < 0):
-                first = abs(item.height) < abs(other.height)
-                found.append((item.key, low.place) if first else (other.key, high.place))
+                found.append(item if abs(item.height) < abs(other.height) else other)
     return found
 
 
 def touched(values_at, triple):
     """The changes of sign beside an extremum in the parameter that goes beyond zero between three rows."""
+    low, middle, high = triple
     found = []
-    for key in triple[1].values:
-        if not all(key in row.values for row in triple):
+    later = {id(record): after for _, record, after in matched(middle, high)}
+    for key, before, record in matched(low, middle):
+        after = later.get(id(record))
+        if after is None:
             continue
-        heights = [row.values[key].height for row in triple]
-        side = 1 if heights[1] > 0 else -1
-        before, here, after = (side * height for height in heights)
-        if not (0 < here < before and here < after) or here > max(before - here, after - here):
+        side = 1 if record.height > 0 else -1
+        left, here, right = side * before.height, side * record.height, side * after.height
+        if not (0 < here < left and here < right) or here > max(left - here, right - here):
             continue
-        best = lowest(values_at, triple, key, side)
-        if key in best.values and side * best.values[key].height < 0:
-            height = best.values[key].height
-            found.append(Bracket(key, triple[0].place, best.place, heights[0], height))
-            found.append(Bracket(key, best.place, triple[2].place, height, heights[2]))
+        place, best = lowest(values_at, triple, key, record.spot, side)
+        if best is not None and side * best.height < 0:
+            found.append(Bracket(key, low.place, place, before, best))
+            found.append(Bracket(key, place, high.place, best, after))
     return found
 
 
-def lowest(values_at, triple, key, side):
-    """The row at which side·height is least, or the first one found below zero."""
+def lowest(values_at, triple, key, spot, side):
+    """Where side·height is least, or first found below zero, and the record there."""
 
     def sample(place):
         return Row(place, values_at(place, key))
 
     def short(row):
-        return side * row.values[key].height if key in row.values else inf
+        record = nearest(row.values, key, spot)
+        return inf if record is None else side * record.height
 
-    return dip(sample, short, *triple)
+    best = dip(sample, short, *triple)
+    return best.place, nearest(best.values, key, spot)
+
+
+def nearest(values, key, spot):
+    """The record of a key that is nearest to a spot; None if there is none."""
+    return min(values.get(key, []), key=lambda record: abs(record.spot - spot), default=None)
 
 
 def root(values_at, bracket):
-    """Where the height of a key vanishes; None if the key is not there all the way."""
+    """The record where its height vanishes; None if it does not, for the record is not there all the way."""
+    key, low, high, before, after = bracket
+
+    def record_at(place):
+        spot = before.spot + (place - low) / (high - low) * (after.spot - before.spot)
+        return nearest(values_at(place, key), key, spot)
 
     def function(place):
-        return values_at(place, bracket.key)[bracket.key].height
+        record = record_at(place)
+        return before.height if record is None else record.height
 
-    try:
-        return bracketed_root(function, *bracket[1:], 0)
-    except KeyError:
-        return None
+    record = record_at(zero_between(function, low, high, before.height, after.height))
+    return record if record is not None and abs(record.height) < LEAP else None
+
+
+def zero_between(function, a, b, value_a, value_b):
+    """A sign change of a function between two places, to rounding, by Chandrupatla's method (1997)."""
+    fraction = 0.5
+    while True:
+        trial = a + fraction * (b - a)
+        value = function(trial)
+        if (value > 0) == (value_a > 0):
+            c, value_c = a, value_a
+        else:
+            c, value_c, b, value_b = b, value_b, a, value_a
+        a, value_a = trial, value
+        best, value_best = (a, value_a) if abs(value_a) < abs(value_b) else (b, value_b)
+        least = 2 * epsilon() * (1 + abs(best)) / abs(b - a)
+        if least > 0.5 or value_best == 0:
+            return best
+        fraction = min(1 - least, max(least, interpolated(a, b, c, value_a, value_b, value_c)))

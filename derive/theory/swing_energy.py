@@ -1,0 +1,136 @@
+"""∫η cos²(θ − α)dσ from the tip by the phase ψ, by what does not grow along a rod that is nearly straight.
+
+As in ``swing_square`` the derivative of x_σ/(x − ib) leaves ∫X₁ besides y. By the phase that is
+−Δ cot ψ − (b² − a²)∫sin²ψ − a²σ, up to what makes it finite at the tip. So the form holds up to the far turning
+point. Near the tip Δ cot ψ and √X₁ are large and cancel; there a second form takes their difference by x² − x√X₂√X₃.
+"""
+
+from __future__ import annotations
+
+from sympy import Expr, Integer, Symbol, cos, diff, oo, sqrt
+
+from .claims import Domain, Equal, Limit
+from .oblique_quartic import HalfAngle, m, n, p, q
+from .oblique_shape import b
+from .swing_along import COSINE, SINE
+from .swing_arcs import w_imag, w_real
+from .swing_levels import aligned
+from .swing_names import Writer, anywhere, cosine, field_angle, tip
+from .swing_phase import PHASE, delta, first, rate, second, square
+from .swing_place import SPREAD, Place, pair_root
+from .swing_points import e_1 as root
+from .swing_points import place as pole
+from .swing_points import x
+from .swing_square import BY_LETTERS, TWICE, in_rod
+from .symbols import beta, eta
+from .tip_names import arc, y_tip
+
+near_root = Symbol("near_root", real=True)  # √X₁
+across = Symbol("across", real=True)  # sin ψ cos ψ
+gap = Symbol("gap", real=True)  # x² − x√X₂√X₃
+size = Symbol("size", real=True)  # |x|
+others_sum, others_product = Symbol("others_sum", real=True), Symbol("others_product", real=True)  # ê₂ + ê₃, ê₂ê₃
+kink = Symbol("kink", real=True)  # the part without integral
+growth = Symbol("growth", real=True)  # (b² − a²)∫sin²ψ dσ
+ROOTS = Domain({**PHASE.ranges, root: (-oo, oo), b: (0, oo)})
+# ê₂ + ê₃ and ê₂ê₃ by ê₁ and the rates.
+SUM = 2 * root - SPREAD
+PRODUCT = first**4 - root**2 + root * SUM
+LETTERS = {q: -4 * (root + SUM), m: 4 * (root * SUM + PRODUCT) / b, n: -4 * root * PRODUCT / b**2}
+
+
+def write_energy(place: Place, y: Expr, rod: HalfAngle, writer: Writer) -> None:
+    """The part without integral in two forms, and the whole."""
+    here = {
+        near_root: first**2 * sqrt(1 - square) / (sqrt(square) * rate(first, second, square)),
+        pair_root: place.pair,
+        pole: root + place.near,
+        delta: rate(first, second, square),
+        across: sqrt(square) * sqrt(1 - square),
+    }
+    _write_others(writer)
+    _write_kink(here, writer)
+    kept = -2 * (kink + 4 * growth + 2 * (first**2 - root) * arc)
+    writer.add(
+        "arc_square",
+        (beta, eta, cosine, aligned, first, root, arc, y_tip, kink, growth),
+        (beta * cosine + eta * aligned**2) * arc - beta * y_tip + kept,
+        "η∫cos²(θ − α)dσ from the tip to the point, by cos φ and cos(φ − α)",
+        lambda value: Equal(
+            in_rod(value.subs({cosine: cos(tip), aligned: cos(tip - field_angle), y_tip: y}), rod),
+            in_rod(BY_LETTERS + kept, rod),
+        ),
+        anywhere(tip),
+        given=((b, in_rod(p, rod) / 4),),
+        steps=("arc_y", "oblique.coefficients", "strength", "arc_kink", "arc_kink_start"),
+        source="DLMF 19.29(ii)",
+    )
+
+
+def _write_others(writer: Writer) -> None:
+    """The other two roots by q, m and ê₁."""
+    writer.add(
+        "others_sum",
+        (q, root),
+        -q / 4 - root,
+        "ê₂ + ê₃ by ê₁",
+        lambda value: Equal(value.subs(LETTERS), SUM),
+        ROOTS,
+        steps=("cubic_root", "excess_root"),
+    )
+    writer.add(
+        "others_product",
+        (b, m, root, others_sum),
+        b * m / 4 - root * others_sum,
+        "ê₂ê₃ by ê₁ and ê₂ + ê₃",
+        lambda value: Equal(value.subs(others_sum, SUM).subs(LETTERS), PRODUCT),
+        ROOTS,
+        steps=("cubic_root", "far_slope", "others_sum"),
+    )
+
+
+def _write_kink(here: dict[Symbol, Expr], writer: Writer) -> None:
+    """The part without integral by its derivative along the rod, and its value at the tip."""
+    below = pole**2 + b**2
+
+    def slopes(value: Expr) -> Equal:
+        # dS/dσ = 2 sin ψ cos ψ Δ; W grows by e^{iδ} − 1.
+        along = diff(value.subs(here), square) * 2 * here[across] * here[delta]
+        kept = -2 * (along + 4 * (second**2 - first**2) * square + 2 * (first**2 - root))
+        turns = {arc: Integer(1), w_real: COSINE - 1, w_imag: SINE}
+        moved = (BY_LETTERS.subs(turns) - (eta + TWICE) / 2).subs(LETTERS).subs(x, here[pole])
+        return Equal(moved + kept, 0)
+
+    far = writer.add(
+        "arc_kink",
+        (square, delta, across, b, pole, near_root, pair_root),
+        4 * delta * across / square - 2 * near_root * (1 + pole * pair_root / below),
+        "the part of ∫η cos²(θ − α)dσ without integral",
+        slopes,
+        ROOTS.with_range(eta, 0, oo),
+        steps=("near_by_phase", "pair_by_phase", "w_real", "w_imag", "field_real", "field_imag", "fall"),
+        source="DLMF 19.29(ii)",
+    )
+    start = Limit(far.subs(here), square, Integer(0), Integer(0), "+")
+    writer.claim("arc_kink_start", "it is zero at the tip", start, ROOTS, steps=("arc_kink",))
+    writer.add(
+        "pole_gap",
+        (pole, size, others_sum, others_product, pair_root),
+        pole * (pole * others_sum - others_product) / (size + pair_root),
+        "x² − x√X₂√X₃, with size = |x|, x > 0",
+        lambda value: Equal(
+            value.subs({size: pole, others_sum: SUM, others_product: PRODUCT}).subs(here),
+            (pole**2 - pole * pair_root).subs(here),
+        ),
+        ROOTS,
+        steps=("others_sum", "others_product", "pair_by_phase"),
+    )
+    writer.add(
+        "arc_kink_tip",
+        (first, second, delta, across, b, pole, near_root, gap),
+        4 * (second - first) * (second + first) * across / delta + 2 * near_root * (b**2 + gap) / below,
+        "the same where x is large, by x² − x√X₂√X₃",
+        lambda value: Equal(value.subs(gap, pole**2 - pole * pair_root).subs(here), far.subs(here)),
+        ROOTS,
+        steps=("arc_kink", "pole_gap"),
+    )

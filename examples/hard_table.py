@@ -1,0 +1,65 @@
+"""Run the emitted modules on the hard suites, and write the table of worst errors into README.md between its markers.
+
+python examples/hard_table.py [most]
+
+most: of a rod with more equilibria, only so many are refined to 40 digits (2 unless told, which takes some minutes).
+Faults are printed, and the exit code is then 1.
+"""
+
+from __future__ import annotations
+
+import sys
+from importlib import import_module
+from math import sqrt
+from pathlib import Path
+
+from readme_tables import replace
+
+from derive.measure.hard import Hardness, hardness
+from derive.measure.suites import SUITES, Case, suite
+
+README = Path(__file__).resolve().parent.parent / "README.md"
+CASES = ("field_only", "force_only", "parallel", "orthogonal", "oblique")
+SHOWN = ("tip_angle", "y", "z", "energy", "curvature(s)", "y(s)", "z(s)")
+EACH = 12  # rods of a suite and load case, evenly chosen
+LONGEST = 300.0  # ℓ√(β + η); a reference for more takes seconds
+
+
+def chosen(name: str, case: str) -> list[Case]:
+    """Some rods of a suite, evenly."""
+    known = [one for one in suite(name, case) if one.rod.length * sqrt(one.rod.beta + one.rod.eta) <= LONGEST]
+    return known[:: max(1, -(-len(known) // EACH))]
+
+
+def measured(name: str, most: int) -> Hardness:
+    """A suite over all load cases whose modules there are."""
+    result = Hardness()
+    for case in CASES:
+        try:
+            module = import_module(f"generated.{case}_numpy")
+        except ModuleNotFoundError:
+            print(f"{case}: no module; run `derive emit`", file=sys.stderr)
+            continue
+        result.take(hardness(module, chosen(name, case), most=most))
+    return result
+
+
+def main(most: int) -> int:
+    """Measure and write; 1 if anything is wrong in kind."""
+    lines = ["| suite | quantity | worst error, ulps of its size | in bounds | where |", "|---|---|---|---|---|"]
+    faults = []
+    for name in SUITES:
+        found = measured(name, most)
+        lines += found.rows(name, SHOWN)
+        faults += found.faults
+    text = README.read_text(encoding="utf-8")
+    if "<!-- hard -->" not in text:
+        raise SystemExit("README.md has no markers <!-- hard --> and <!-- end hard --> to put the table between")
+    README.write_text(replace(text, "hard", lines), encoding="utf-8")
+    for fault in faults:
+        print(fault, file=sys.stderr)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main(int(sys.argv[1]) if len(sys.argv) > 1 else 2))

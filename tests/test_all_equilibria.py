@@ -1,0 +1,207 @@
+"""Nothing is missing and nothing is false: random rods of all load cases, and rods with hundreds of equilibria.
+
+What brute force counts (`measure.counts`, no formula shared) is what the kernels find; every shape solves the equation
+of equilibrium and keeps to its first integral.
+"""
+
+from __future__ import annotations
+
+from math import cos, pi, sin, sqrt
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from derive.emit.kernels.equilibria import all_equilibria
+from derive.emit.kernels.shapes import angle_and_position
+from derive.measure.chains import Guess
+from derive.measure.counts import count
+from derive.measure.hard import wrong_in_kind
+from derive.measure.long_rods import refine
+from derive.measure.reference import Rod
+
+# Shares of force and field, and the field's angle; None is any.
+CASES: dict[str, tuple[tuple[float, float] | None, float | None]] = {
+    "field_only": ((0.0, 1.0), 0.0),
+    "force_only": ((1.0, 0.0), 0.0),
+    "parallel": (None, 0.0),
+    "orthogonal": (None, pi / 2),
+    "oblique": (None, None),
+}
+LONGEST = 8.9  # of ℓ√(β + η): a little less than what can be counted
+ULP = 2.0**-52
+# What differences of a shape may be off by, of which each costs some roundings of θ over the step.
+ROUNDINGS = 400.0
+# Of a fourth-order difference with a step h of the scaled length; the sixth derivative is of order 10² at most.
+STEP = 2.0**-8
+
+
+def random_rods(number: int, seed: int) -> list[Rod]:
+    """Rods of all load cases in turn: loads of any size, also lopsided ones, and any clamp."""
+    rng = np.random.default_rng(seed)
+    found = []
+    for k in range(number):
+        shares, angle = list(CASES.values())[k % len(CASES)]
+        if shares is None:
+            lopsided = 10 ** rng.uniform(-12, 0) if rng.uniform() < 0.3 else rng.uniform()
+            shares = (lopsided, 1 - lopsided) if rng.uniform() < 0.5 else (1 - lopsided, lopsided)
+        length = 10 ** rng.uniform(-2, 3)
+        stiffness = (rng.uniform(0.05, LONGEST) / length) ** 2
+        field_angle = rng.uniform(-pi, pi) if angle is None else angle
+        found.append(Rod(stiffness * shares[0], stiffness * shares[1], length, rng.uniform(-7, 7), field_angle))
+    return found
+
+
+def solved(rod: Rod) -> list[Any]:
+    """All equilibria by the kernels."""
+    found: list[Any] = all_equilibria(rod.beta, rod.eta, rod.length, rod.clamp_angle, rod.field_angle, None)
+    return found
+
+
+def drawn(equilibrium: Any, length: float) -> Guess:
+    """θ and θ′ of an equilibrium along the rod."""
+
+    def at(s: Any) -> tuple[Any, Any]:
+        rows = [angle_and_position(equilibrium, min(float(part), length))[:2] for part in s]
+        return np.array([row[0] for row in rows]), np.array([row[1] for row in rows])
+
+    return at
+
+
+def test_random_rods_have_the_counted_equilibria() -> None:
+    check_counts(random_rods(250, 11))
+
+
+def test_shapes_solve_the_equation() -> None:
+    for rod in random_rods(25, 12):
+        for equilibrium in solved(rod):
+            check_shape(rod, equilibrium)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("seed", range(5))
+def test_thousands_of_rods(seed: int) -> None:
+    rods = random_rods(500, 100 + seed)
+    check_counts(rods)
+    for rod in rods:
+        for equilibrium in solved(rod):
+            check_shape(rod, equilibrium)
+
+
+def check_counts(rods: list[Rod]) -> None:
+    """Numbers, indices and tips are the counted ones; what brute force leaves undecided (folds) is rare."""
+    counts = count(rods)
+    assert sum(counted.tips is None for counted in counts) <= len(rods) // 100
+    for counted in counts:
+        found = solved(counted.rod)
+        assert not wrong_in_kind(found, counted.number), counted.rod
+        if counted.tips is not None:
+            assert tuple(one.index for one in found) == counted.indices, counted.rod
+            assert [one.tip_angle for one in found] == pytest.approx(counted.tips, abs=1e-7), counted.rod
+
+
+def check_shape(rod: Rod, equilibrium: Any) -> None:
+    """θ(0), θ′(ℓ), θ″ against the right side, y′ and z′, and the first integral, all along the rod."""
+    scale = max(sqrt(rod.beta + rod.eta), 1 / rod.length)
+    step = STEP / scale
+    middles = np.linspace(0.05, 0.95, 7) * (rod.length - 4 * step) + 2 * step
+    at = np.add.outer(middles, np.arange(-2, 3) * step)
+    theta, curvature, y, z = along(equilibrium, at)
+    here = theta[:, 2]
+    blur = ROUNDINGS * ULP * (1 + abs(rod.clamp_angle) + abs(equilibrium.tip_angle)) / STEP
+    assert slope(curvature) / step == pytest.approx(moment(rod, here), abs=(blur + 1e-9) * scale**2)
+    assert slope(theta) / step == pytest.approx(curvature[:, 2], abs=(blur + 1e-9) * scale)
+    size = rod.length * scale
+    assert slope(y) / step == pytest.approx(np.cos(here), abs=blur * size + 1e-9)
+    assert slope(z) / step == pytest.approx(np.sin(here), abs=blur * size + 1e-9)
+    ends = along(equilibrium, np.array([[0.0], [rod.length]]))
+    assert ends[0].ravel() == pytest.approx([rod.clamp_angle, equilibrium.tip_angle], abs=blur * STEP * size)
+    assert ends[1].ravel() == pytest.approx([equilibrium.clamp_curvature, 0], abs=blur * STEP * size * scale)
+    assert [ends[2][1, 0], ends[3][1, 0]] == pytest.approx([equilibrium.y, equilibrium.z], abs=blur * STEP * rod.length)
+    drift = curvature**2 + 2 * rod.beta * np.cos(theta) + rod.eta * np.cos(theta - rod.field_angle) ** 2
+    assert drift == pytest.approx(equilibrium.gamma, abs=blur * STEP * size * scale**2)
+
+
+def along(equilibrium: Any, at: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    """θ, θ′, y and z at arc lengths."""
+    rows = [angle_and_position(equilibrium, float(s)) for s in at.ravel()]
+    return [np.array(column).reshape(at.shape) for column in zip(*rows, strict=True)]
+
+
+def slope(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The derivative times the step, in the middle of five values, to the fourth order."""
+    difference: NDArray[np.float64] = (8 * (values[:, 3] - values[:, 1]) - (values[:, 4] - values[:, 0])) / 12
+    return difference
+
+
+def moment(rod: Rod, theta: NDArray[np.float64]) -> NDArray[np.float64]:
+    """θ″."""
+    right_side: NDArray[np.float64] = rod.beta * np.sin(theta) + rod.eta / 2 * np.sin(2 * (theta - rod.field_angle))
+    return right_side
+
+
+def test_a_false_shape_is_seen() -> None:
+    rod = Rod(0.35, 0.52, 6.0, 2.3, 0.7)
+    for equilibrium in solved(rod):
+        check_shape(rod, equilibrium)
+        with pytest.raises(AssertionError):
+            check_shape(Rod(0.35, 0.52 * (1 + 1e-6), 6.0, 2.3, 0.7), equilibrium)
+
+
+def many(scaled_length: float) -> tuple[Rod, list[Any]]:
+    """The field alone, a clamp at 3π/4."""
+    rod = Rod(0.0, 1.0, scaled_length, 3 * pi / 4)
+    return rod, solved(rod)
+
+
+def test_five_hundred_and_thirty_nine_equilibria() -> None:
+    rod, found = many(1000.0)
+    assert len(found) == 539
+    assert not wrong_in_kind(found, None)
+    assert max(one.index for one in found) == 269
+    check_first_integral(rod, found)
+
+
+def check_first_integral(rod: Rod, found: list[Any]) -> None:
+    """The curvature at the clamp and γ, which the tip angle decides."""
+    for one in found:
+        gamma = rod.eta * cos(one.tip_angle) ** 2
+        assert one.gamma == pytest.approx(gamma, abs=1e-14)
+        assert one.clamp_curvature**2 + rod.eta * cos(rod.clamp_angle) ** 2 == pytest.approx(gamma, abs=1e-13)
+
+
+@pytest.mark.long
+def test_some_of_them_are_those_of_the_reference() -> None:
+    rod, found = many(1000.0)
+    offsets = []
+    for one in found[::-108]:
+        known = refine(rod, drawn(one, rod.length))
+        assert known.reference.index == one.index
+        for name in ("tip_angle", "clamp_curvature", "gamma", "y", "z", "energy"):
+            size = rod.length if name in "yz" or name == "energy" else 1.0
+            error = abs(float(known.reference.values[name] - getattr(one, name)))
+            assert error <= 4 * ULP * (4 * size + known.reference.sensitivity[name]), name
+        offsets.append(known.offset)
+    assert len(set(offsets)) == len(offsets) == 5
+
+
+@pytest.mark.long
+def test_thousands_of_equilibria_of_one_rod() -> None:
+    rod, found = many(1e4)
+    assert len(found) == 5393
+    assert not wrong_in_kind(found, None)
+    check_first_integral(rod, found)
+    # Each tip is a root of its own, also those that doubles do not tell apart.
+    places = [(one.swing.stay.motion, one.swing.stay.tip, one.index, sin(one.tip_angle)) for one in found if one.swing]
+    assert len(set(places)) == len(places)
+
+
+def test_a_lost_equilibrium_is_seen() -> None:
+    rod = Rod(0.35, 0.52, 6.0, 2.3, 0.7)
+    (counted,) = count([rod])
+    found = solved(rod)
+    assert not wrong_in_kind(found, counted.number)
+    assert wrong_in_kind(found[:-2], counted.number)
+    assert wrong_in_kind([SimpleNamespace(tip_angle=one.tip_angle, index=0) for one in found], counted.number)
