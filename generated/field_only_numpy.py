@@ -4,14 +4,28 @@ Emitted by `derive emit` from the scene 'field_only': do not edit, change the sc
 
 Gives: equilibria, shape, sweep.
 Load case: field only, beta = 0. Valid for eta >= 0, length > 0, any clamp_angle.
-Digest of the inputs: sha256 68aba41c5e11be69b71dfcc330ba27009944f9a086deb231ca3414c89ac73634
+Formulas, each proved equal to its derivation:
+    arc_kink (DLMF 19.29(ii)), arc_kink_tip, arc_square (DLMF 19.29(ii)), arc_y (exsl36), arc_z (exsl41),
+    back_below (DLMF 19.8(iii)), back_below_rest (DLMF 19.8(iii)), back_rest (DLMF 19.8(iii)),
+    back_square (DLMF 19.8(iii)), chi_cosine (DLMF 22.6(iii)), chi_coversine (DLMF 22.6(iii)),
+    chi_rate (DLMF 22.6(iii)), chi_scale (DLMF 22.6(iii)), chi_square (DLMF 4.21(iii)),
+    chi_versine (DLMF 22.6(iii)), far_pair_root, far_root, gauss_rest (DLMF 19.8(iii)),
+    gauss_square (DLMF 19.8(iii)), half_rest (DLMF 22.6(iii)), half_rest_beyond (DLMF 22.6(iii)),
+    half_square (DLMF 22.6(iii)), half_square_beyond (DLMF 22.6(iii)), near_by_phase (DLMF 19.25.35),
+    others_product, others_sum, pair_lift, pair_root, pair_root_sum (DLMF 19.26(iii)), phase_lead,
+    phase_rate (DLMF 19.2.4), phase_sum, point_near, point_pole (exsl22), point_speed (exsl8), pole_gap,
+    rest_fall, rest_moment, rest_stiffness, rj_delta_imag (DLMF 19.26(iii)), rj_delta_real (DLMF 19.26(iii)),
+    second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic, turn_level, turn_over (DLMF 4.21(iii)),
+    turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
+    w_real (DLMF 19.29(ii))
+Digest of the inputs: sha256 5537e1e450a87c3392c7dc8461bf13a186f76eace0acde2ed56ae3bcb3768025
 """
 
 from __future__ import annotations
 
 from cmath import log as complex_log
 from cmath import sqrt as complex_sqrt
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import asin, atan2, ceil, cos, exp, floor, frexp, hypot, inf, isfinite, ldexp, log, log2, pi, sin, sqrt
 from operator import index
 from typing import Any, NamedTuple
@@ -27,7 +41,9 @@ COARSE = 8  # bins up to which a range is not divided to find straight ones in i
 SHORT = 128  # bins up to which none is looked for that is straight
 LONGEST = 48  # the longest series; where more terms are wanted, bins are halved
 ENOUGH = 1500  # points in a run, on average, from which runs are faster than looking up
+AT_A_TIME = 16  # bins whose cells are computed together, so that they stay in the cache
 RUN_BLOCK = 16384  # points at a time, so that they stay in the cache
+TERMS = 9  # of the series before what can be left out is left out
 ANGLE_DEGREE = 6  # of the short series: two gathers of up to four coefficients each
 PLACE_DEGREE = 5  # the slope is not asked for, so it needs a degree less
 LOOKUP_BLOCK = 8192  # points at a time, so that what is gathered for them stays in the cache
@@ -52,14 +68,14 @@ def real(name: str, value: object) -> float:
     return number
 
 
-def less_quarters(angle, quarters):
-    """angle − quarters·π/2, with π/2 in two parts of which the first has 33 bits, so that nothing is lost."""
-    return (angle - quarters * 1.5707963267341256) - quarters * 6.077100506506192e-11
-
-
 def epsilon() -> float:
     """The spacing of numbers just above 1."""
     return 2.0**-52
+
+
+def less_quarters(angle, quarters):
+    """angle − quarters·π/2, with π/2 in two parts of which the first has 33 bits, so that nothing is lost."""
+    return (angle - quarters * 1.5707963267341256) - quarters * 6.077100506506192e-11
 
 
 def pick(condition, yes, no):
@@ -100,15 +116,468 @@ def arctan_share(z, end):
     return complex_log((1 + root) * (1 + root) / end) / (2 * root)
 
 
+# Formulas, as derived
+
+
+def rest_fall(eta, stiffness, double_cosine, double_sine, middle_sine, middle_cosine, half_sine, half_cosine):
+    """V(rest + middle − half) − V(rest + middle + half), from a direction without moment.
+
+    Proved as swing.rest_fall.
+    """
+    return (
+        4
+        * half_sine
+        * half_cosine
+        * (
+            2
+            * middle_sine
+            * middle_cosine
+            * (
+                stiffness
+                - 2
+                * eta
+                * double_cosine
+                * (middle_sine * middle_sine + (1 - 2 * middle_sine * middle_sine) * half_sine * half_sine)
+            )
+            - eta
+            * double_sine
+            * (
+                (3 - 4 * middle_sine * middle_sine) * middle_sine * middle_sine
+                + (1 - 8 * middle_sine * middle_sine * middle_cosine * middle_cosine) * half_sine * half_sine
+            )
+        )
+    )
+
+
+def rest_moment(eta, stiffness, double_cosine, double_sine, sine, cosine):
+    """θ″ at an offset from a direction without moment, by the sine and cosine of half the offset.
+
+    Proved as swing.rest_moment.
+    """
+    return (
+        2
+        * sine
+        * (
+            cosine * (stiffness - 2 * eta * double_cosine * sine * sine)
+            - 0.5 * eta * double_sine * sine * (3 - 4 * sine * sine)
+        )
+    )
+
+
+def phase_sum(root_near, root_far, done_sine, left_sine):
+    """√P′ sin(δ/2) + √P sin(D − δ/2).
+
+    Proved as swing.phase_sum.
+    """
+    return root_near * left_sine + root_far * done_sine
+
+
+def phase_lead(root_near, half_cosine, uneven, done_sine, gap_sine):
+    """√P sin(D − δ/2) − √P′ sin(δ/2), with gap_sine = sin((D − δ)/2) and uneven = √P′ − √P.
+
+    Proved as swing.phase_lead.
+    """
+    return 2 * root_near * half_cosine * gap_sine - uneven * done_sine
+
+
+def chi_square(behind, ahead):
+    """sin²χ, by the two parts of the phase's sum as shares of it.
+
+    Equation DLMF 4.21(iii); proved as swing.chi_square.
+    """
+    return 4 * behind * ahead
+
+
+def half_square(end, square, tilt, delta):
+    """sin²ψ by sin²χ = square and cos χ = tilt ≥ 0: χ runs to π, ψ to π/2, with half the rates.
+
+    Equation DLMF 22.6(iii); proved as swing.half_square.
+    """
+    return end * square / ((end + delta) * (1 + tilt))
+
+
+def half_square_beyond(end, tilt, delta):
+    """sin²ψ by cos χ = −tilt ≤ 0.
+
+    Equation DLMF 22.6(iii); proved as swing.half_square_beyond.
+    """
+    return end * (1 + tilt) / (end + delta)
+
+
+def half_rest(end, tilt, delta):
+    """cos²ψ by cos χ = tilt ≥ 0.
+
+    Equation DLMF 22.6(iii); proved as swing.half_rest.
+    """
+    return (delta + end * tilt) / (end + delta)
+
+
+def half_rest_beyond(end, middle, square, tilt, delta):
+    """cos²ψ by sin²χ = square and cos χ = −tilt ≤ 0.
+
+    Equation DLMF 22.6(iii); proved as swing.half_rest_beyond.
+    """
+    return square * middle * middle / ((delta + end * tilt) * (end + delta))
+
+
+def phase_rate(first, second, square, rest):
+    """Δ = √(a² cos²ψ + b² sin²ψ), dψ/dσ.
+
+    Equation DLMF 19.2.4; proved as swing.phase_rate.
+    """
+    return sqrt(rest * first * first + square * second * second)
+
+
+def gauss_square(square, total, below):
+    """sin²ψ′ of Gauss's step, which keeps the integral: a′ = (a + b)/2, b′ = √(ab); total = a + b, below = a + Δ.
+
+    Equation DLMF 19.8(iii); proved as swing.gauss_square.
+    """
+    return square * total * total / (below * below)
+
+
+def gauss_rest(first, second, square, rest, delta, below):
+    """cos²ψ′ of Gauss's step, without a difference; below = a + Δ.
+
+    Equation DLMF 19.8(iii); proved as swing.gauss_rest.
+    """
+    return (
+        2
+        * first
+        * rest
+        * (first + (first * first + square * second * second) / (delta + second * square))
+        / (below * below)
+    )
+
+
+def far_root(near, cosine):
+    """ê₁, the value of x at the far turning point, by P and cos D.
+
+    Proved as swing.far_root.
+    """
+    return 0.125 * near * cosine
+
+
+def rj_delta_real(eta, b, double_cosine):
+    """The real part of (p − X₁)(p − X₂)(p − X₃), p = x − ib, for the duplication of R_J, by cos 2(φ − α).
+
+    Equation DLMF 19.26(iii); proved as swing.rj_delta_real.
+    """
+    return 0.25 * eta * double_cosine * b * b
+
+
+def rj_delta_imag(eta, b, double_sine):
+    """The imaginary part of (p − X₁)(p − X₂)(p − X₃), p = x − ib, for the duplication of R_J, by sin 2(φ − α).
+
+    Equation DLMF 19.26(iii); proved as swing.rj_delta_imag.
+    """
+    return 0.25 * eta * double_sine * b * b
+
+
+def pair_lift(root_near, root_far, uneven, half_cosine, square, rest):
+    """x + √X₂√X₃ by the phase, with uneven = √P′ − √P.
+
+    Proved as swing.pair_lift.
+    """
+    return 0.125 * root_near * (uneven + 2 * root_near * half_cosine * half_cosine + 2 * root_far * rest / square)
+
+
+def w_real(b, rj_im):
+    """The real part of W = (2ib/3)R_J(X₁, X₂, X₃, x − ib): ∫e^{iθ}dσ = e^{iφ}(σ + W).
+
+    Equation DLMF 19.29(ii); proved as swing.w_real.
+    """
+    return -2 * b * rj_im / 3
+
+
+def w_imag(b, rj_re):
+    """The imaginary part of W = (2ib/3)R_J(X₁, X₂, X₃, x − ib): ∫e^{iθ}dσ = e^{iφ}(σ + W).
+
+    Equation DLMF 19.29(ii); proved as swing.w_imag.
+    """
+    return 2 * b * rj_re / 3
+
+
+def arc_y(sine, cosine, arc, w_re, w_im):
+    """∫y′ dσ from the tip to the point, by sin φ and cos φ.
+
+    Equation exsl36; proved as swing.arc_y.
+    """
+    return cosine * (arc + w_re) - sine * w_im
+
+
+def arc_z(sine, cosine, arc, w_re, w_im):
+    """∫z′ dσ from the tip to the point, by sin φ and cos φ.
+
+    Equation exsl41; proved as swing.arc_z.
+    """
+    return sine * (arc + w_re) + cosine * w_im
+
+
+def rest_stiffness(eta, double_cosine):
+    """dθ″/dθ by cos θ and cos 2(θ − α), where small rotations h obey h″ = (dθ″/dθ)h; at the tip it is q.
+
+    Proved as swing.rest_stiffness.
+    """
+    return eta * double_cosine
+
+
+def tip_cubic(eta, double_sine):
+    """m, the coefficient of t³ in the half-angle quartic at the tip, by sin φ and sin 2(φ − α).
+
+    Proved as swing.tip_cubic.
+    """
+    return -0.5 * eta * double_sine
+
+
+def others_sum(q, root):
+    """ê₂ + ê₃ by ê₁.
+
+    Proved as swing.others_sum.
+    """
+    return -0.25 * q - root
+
+
+def pole_gap(pole, size, others_sum, others_product, pair_root):
+    """x² − x√X₂√X₃, with size = |x|, x > 0.
+
+    Proved as swing.pole_gap.
+    """
+    return pole * (pole * others_sum - others_product) / (size + pair_root)
+
+
+def others_product(b, m, root, others_sum):
+    """ê₂ê₃ by ê₁ and ê₂ + ê₃.
+
+    Proved as swing.others_product.
+    """
+    return 0.25 * b * m - root * others_sum
+
+
+def arc_kink(square, delta, across, b, pole, near_root, pair_root):
+    """The part of ∫η cos²(θ − α)dσ without integral.
+
+    Equation DLMF 19.29(ii); proved as swing.arc_kink.
+    """
+    return 4 * delta * across / square - 2 * near_root * (1 + pole * pair_root / (b * b + pole * pole))
+
+
+def arc_kink_tip(first, second, delta, across, b, pole, near_root, gap):
+    """The same where x is large, by x² − x√X₂√X₃.
+
+    Proved as swing.arc_kink_tip.
+    """
+    return across * (4 * second - 4 * first) * (first + second) / delta + 2 * near_root * (gap + b * b) / (
+        b * b + pole * pole
+    )
+
+
+def second_kind_step(first, second, square, rest, delta, arc):
+    """2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step.
+
+    Equation DLMF 19.8.19; proved as swing.second_kind_step.
+    """
+    return (first + second) * (first - second) * (0.5 * arc - sqrt(square * rest) / (first + delta))
+
+
+def arc_square(eta, aligned, first, root, arc, kink, growth):
+    """η∫cos²(θ − α)dσ from the tip to the point, by cos φ and cos(φ − α).
+
+    Equation DLMF 19.29(ii); proved as swing.arc_square.
+    """
+    return eta * arc * aligned * aligned - 2 * arc * (2 * first * first - 2 * root) - 2 * kink - 8 * growth
+
+
+def strength(moment_there):
+    """b of the expansion t = b/(℘ − c), by θ″ at the tip.
+
+    Equation exsl17; proved as swing.strength.
+    """
+    return 0.25 * moment_there
+
+
+def point_pole(b, sine, cosine):
+    """x = ℘ − c by the sine and cosine of δ/2, or any two numbers in their ratio.
+
+    Equation exsl22; proved as swing.point_pole.
+    """
+    return b * cosine / sine
+
+
+def far_pair_root(end):
+    """√X₂√X₃ at the far turning point, by the rate of χ there.
+
+    Proved as swing.far_pair_root.
+    """
+    return 0.25 * end * end
+
+
+def point_near(b, sine, done_sine, left_sine):
+    """X₁ = x − ê₁ at a point, zero at the far turning point, by sin D, sin(δ/2) and sin(D − δ/2).
+
+    Proved as swing.point_near.
+    """
+    return b * left_sine / (sine * done_sine)
+
+
+def pair_root(root_near, done_sine, whole, rate):
+    """√X₂√X₃ by the phase's sum and the rate of χ over that at the turning points.
+
+    Proved as swing.pair_root.
+    """
+    return 0.125 * root_near * whole * rate / done_sine
+
+
+def pair_root_sum(square, delta):
+    """√X₂ + √X₃ by sin²ψ and Δ.
+
+    Equation DLMF 19.26(iii); proved as swing.pair_root_sum.
+    """
+    return 2 * delta / sqrt(square)
+
+
+def back_below(first, second, square):
+    """2a(a + b)/(a + Δ) by sin²ψ′, for a > b: Gauss's step undone.
+
+    Equation DLMF 19.8(iii); proved as swing.back_below.
+    """
+    return first + second + square * (first - second)
+
+
+def back_below_rest(first, second, rest):
+    """The same by cos²ψ′, for a < b: Gauss's step undone.
+
+    Equation DLMF 19.8(iii); proved as swing.back_below_rest.
+    """
+    return 2 * first - rest * (first - second)
+
+
+def back_square(first, square, below):
+    """sin²ψ by sin²ψ′: Gauss's step undone.
+
+    Equation DLMF 19.8(iii); proved as swing.back_square.
+    """
+    return 4 * square * first * first / (below * below)
+
+
+def back_rest(first, second, gap, rest, below):
+    """cos²ψ by cos²ψ′, with gap = a − b: Gauss's step undone.
+
+    Equation DLMF 19.8(iii); proved as swing.back_rest.
+    """
+    return rest * (4 * first * second + rest * gap * gap) / (below * below)
+
+
+def chi_scale(square, rest, flat):
+    """What cos χ, 1 ± cos χ and the rate of χ are divided by, with flat = (b/a)² sin²ψ.
+
+    Equation DLMF 22.6(iii); proved as swing.chi_scale.
+    """
+    return rest * (1 + square) + square * flat
+
+
+def chi_versine(square, rest, flat, scale):
+    """1 − cos χ by the phase.
+
+    Equation DLMF 22.6(iii); proved as swing.chi_versine.
+    """
+    return 2 * square * (rest + flat) / scale
+
+
+def chi_coversine(rest, scale):
+    """1 + cos χ by the phase.
+
+    Equation DLMF 22.6(iii); proved as swing.chi_coversine.
+    """
+    return 2 * rest / scale
+
+
+def turn_level(root_near, root_far, versine, coversine):
+    """√P(1 − cos χ) + √P′(1 + cos χ).
+
+    Proved as swing.turn_level.
+    """
+    return root_near * versine + root_far * coversine
+
+
+def turn_tilt(root_near, root_far, uneven, cosine):
+    """√P′(1 + cos χ) − √P(1 − cos χ), with uneven = √P′ − √P.
+
+    Proved as swing.turn_tilt.
+    """
+    return uneven + cosine * (root_near + root_far)
+
+
+def chi_cosine(square, rest, flat, scale):
+    """cos χ by the phase: it doubles the elliptic argument.
+
+    Equation DLMF 22.6(iii); proved as swing.chi_cosine.
+    """
+    return (rest * rest - square * flat) / scale
+
+
+def turn_tilt_apart(root_near, root_far, versine, coversine):
+    """√P′(1 + cos χ) − √P(1 − cos χ) where P and P′ are far apart.
+
+    Proved as swing.turn_tilt_apart.
+    """
+    return root_far * coversine - root_near * versine
+
+
+def turn_over(root, half_sine, half_cosine, part):
+    """sin D times √P(1 − cos χ), or √P′(1 + cos χ).
+
+    Equation DLMF 4.21(iii); proved as swing.turn_over.
+    """
+    return 2 * root * half_sine * half_cosine * part
+
+
+def turn_under(half_sine, half_cosine, level, tilt):
+    """by which turn_over is divided for tan(δ/2); with −tilt for tan(D − δ/2).
+
+    Proved as swing.turn_under.
+    """
+    return tilt * half_sine * half_sine + level * half_cosine * half_cosine
+
+
+def unit_sine(over, under):
+    """Sine of the angle in (0, π) whose tangent is over/under.
+
+    Equation DLMF 4.14.7; proved as swing.unit_sine.
+    """
+    return over / sqrt(over * over + under * under)
+
+
+def near_by_phase(square, rest, bend):
+    """X₁ by sin²ψ, cos²ψ and bend = a²/Δ.
+
+    Equation DLMF 19.25.35; proved as swing.near_by_phase.
+    """
+    return rest * bend * bend / square
+
+
+def chi_rate(square, rest, flat, scale):
+    """The rate of χ over that at the turning points, by the phase.
+
+    Equation DLMF 22.6(iii); proved as swing.chi_rate.
+    """
+    return (rest * rest + flat * (1 + rest)) / scale
+
+
+def point_speed(b, done_sine, x_near, pair_root):
+    """|θ_σ| by X₁ and √X₂√X₃.
+
+    Equation exsl8; proved as swing.point_speed.
+    """
+    return 4 * pair_root * done_sine * done_sine * sqrt(x_near) / b
+
+
 # Solver
 
 
 @dataclass(frozen=True, slots=True)
 class Rod:
-    """A rod in units in which β + η is of order one: lengths are 2**scale times the user's.
-
-
-    """
+    """A rod in units in which β + η is of order one: lengths are 2**scale times the user's."""
 
     eta: float
     length: float
@@ -186,12 +655,23 @@ def positive(name: str, value: object) -> float:
     return number
 
 
-def idle_rod(eta, length, clamp_angle):
-    """The rod on which nothing acts."""
+def weak_rod(eta, length, clamp_angle):
+    """The rod that is all but straight: θ″ is that of the clamp angle, to the square of rounding."""
     rod = Rod(eta, length, clamp_angle, 1, 0)
-    nothing = 0 * length
+    lean = clamp_angle
+    moment = eta * sin(lean) * cos(lean)
+    gamma = eta * cos(lean) * cos(lean)
+    tip = clamp_angle - moment * length * length / 2
     y, z = length * cos(clamp_angle), length * sin(clamp_angle)
-    return Equilibrium(clamp_angle, nothing, nothing, y, z, nothing, 0, rod, None)
+    return Equilibrium(tip, -moment * length, gamma, y, z, -gamma * length / 2, 0, rod, None)
+
+
+def in_order(found):
+    """The list with tips that are nearer than rounding given as equal, where rounding would exchange them."""
+    for k in range(1, len(found)):
+        if found[k].tip_angle < found[k - 1].tip_angle:
+            found[k] = replace(found[k], tip_angle=found[k - 1].tip_angle)
+    return found
 
 
 class Rest(NamedTuple):
@@ -297,10 +777,16 @@ def ridge_fall(eta, hill, ridge):
 
 def fall_from_rest(eta, stiffness, double_cosine, double_sine, middle, half):
     """V(middle − half) − V(middle + half), with both angles measured from a direction without moment."""
-    wide, narrow = sin(middle / 2), sin(half / 2)
-    even = wide * wide + cos(middle) * narrow * narrow
-    odd = wide * sin(1.5 * middle) + cos(2 * middle) * narrow * narrow
-    return 2 * sin(half) * (sin(middle) * (stiffness - 2 * eta * double_cosine * even) - eta * double_sine * odd)
+    return rest_fall(
+        eta,
+        stiffness,
+        double_cosine,
+        double_sine,
+        sin(middle / 2),
+        cos(middle / 2),
+        sin(half / 2),
+        cos(half / 2),
+    )
 
 
 def fall(eta, rest, start, change):
@@ -311,10 +797,7 @@ def fall(eta, rest, start, change):
 
 def moment_from_rest(eta, stiffness, double_cosine, double_sine, offset):
     """θ″ = −V′ at an offset from a direction without moment."""
-    half = sin(offset / 2)
-    return sin(offset) * (stiffness - 2 * eta * double_cosine * half * half) - eta * double_sine * half * sin(
-        1.5 * offset
-    )
+    return rest_moment(eta, stiffness, double_cosine, double_sine, sin(offset / 2), cos(offset / 2))
 
 
 def slope(eta, rest, offset):
@@ -328,7 +811,8 @@ def reach(eta, rest, amount, most, side):
     most: the distance of the next well (or hill). Newton's method for the square root of the difference, which is
     nearly linear, from the pendulum's value.
     """
-    share = amount / abs(fall(eta, rest, 0, side * most))
+    amount = larger(amount, 0)  # of a hill and a well that nearly meet, rounding may give less
+    share = amount / larger(abs(fall(eta, rest, 0, side * most)), epsilon() ** 20)
     near = most * asin(sqrt(pick(share < 1, share, 1))) * (2 / pi)
     goal, moving = sqrt(amount), True
     for _ in range(40):
@@ -507,7 +991,8 @@ def pass_turn(ground):
     eta, over, level, at = ground.eta, over_ridge(ground), ground.level, ground.at
     down = over.well.angle - over.hill.angle
     width = -at[4] if over.even else reach(eta, over.hill, fall(eta, over.far, 0, at[4]), down, 1)
-    gap = -onward(eta, over.hill, level, ground.height, width - level)
+    # Towards the hill V is flat and tells little, but there the angles tell all.
+    gap = pick(width < level / 2, level - width, -onward(eta, over.hill, level, ground.height, width - level))
     return piece_of(over, "hill", "turn", 0, width, down - width, at[0] - width, gap, at)
 
 
@@ -523,7 +1008,9 @@ def level_turn(ground):
     down = basin.well.angle - basin.hill.angle
     above, below = -fall(eta, basin.well, 0, at[1]), fall(eta, basin.far, 0, at[2])
     from_well = reach(eta, basin.well, above, down, -1)
-    width = onward(eta, basin.hill, level, below, down - level - from_well)
+    # Towards the well V is flat and tells little, but there the angles tell all.
+    rough = down - level - from_well
+    width = pick(below < above / 4, onward(eta, basin.hill, level, below, rough), rough)
     return piece_of(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
 
 
@@ -650,13 +1137,16 @@ def far_side(eta, piece, rise, drop, depth, done):
     else:
         below = basin.far_rise + fall(eta, hill, 0, rise)
     if basin.passes:
-        above = -fall(eta, far_well, 0, down) - below
+        # Not below the ridge, however near it is to the well behind it.
+        ridge = fall(eta, basin.axis, 0, far_well.angle - basin.axis.angle)
+        above = larger(-fall(eta, far_well, 0, down) - below, ridge)
     else:
         above = -fall(eta, well, 0, -depth)
     by_hill = below < above
     distance = reach_either(eta, far, far_well, by_hill, pick(by_hill, below, above), down)
     turn = pick(by_hill, down - distance, distance)  # far turning point − far_well
-    clamp_turn = down - piece.far_gap  # clamp − far_well
+    # clamp − far_well
+    clamp_turn = down - piece.far_gap if basin.passes else piece.clamp_gap - piece.high_depth
     left = pick(by_hill, piece.far_gap - distance, distance - clamp_turn)
     if basin.passes:
         half_width = (turn + depth + (far_well.angle - well.angle)) / 2
@@ -681,16 +1171,14 @@ def wrapped(angle):
 
 def above_field(eta, basin, middle, half_width, height):
     """``mean`` less η where they are near each other: 2(V(tip) − V)/(cos(θ − middle) − cos(half_width)) at the θ at
-    which it is least, which lies then near the ridge or the well."""
-    axis = basin.axis
+    which it is least, which lies then near the ridge or the well. height: from there to the tip."""
     shift = wrapped(2 * -middle)
-    offset = wrapped(middle + shift - axis.angle)
+    offset = wrapped(middle + shift - basin.axis.angle)
     # As near the ridge as rounding it is nearer still: it is there to the second order in the height.
     offset = pick(abs(offset) < 32 * spacing(offset), 0, offset)
     outer, inner = sin(half_width / 2), sin(shift / 2)
-    return (height + fall(eta, axis, 0, offset)) / pick(
-        outer * outer == inner * inner, 1, outer * outer - inner * inner
-    )
+    turn = outer * outer - inner * inner
+    return (height + fall(eta, basin.axis, 0, offset)) / pick(turn == 0, 1, turn)
 
 
 def rates(eta, basin, tip, half_width, sine, near, far, height):
@@ -700,9 +1188,13 @@ def rates(eta, basin, tip, half_width, sine, near, far, height):
     product = sqrt(near) * sqrt(far)
     excess = -(eta * cos(double) * (1 + cosine * cosine))
     mean = -(eta * cosine * cos(double))
-    apart = mean - eta
-    close = above_field(eta, basin, middle, half_width, height)
-    apart = pick(apart > 0.1 * eta, apart, close)
+    # mean − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to level.
+    ahead, behind = sin(half_width / 2 + double / 2), sin(half_width / 2 - double / 2)
+    by_far, by_near = far - 2 * eta * ahead * ahead, near - 2 * eta * behind * behind
+    apart = above_field(eta, basin, middle, half_width, height)
+    apart = pick(2 * by_near > near, by_near, apart)
+    apart = pick(2 * by_far > far, by_far, apart)
+    apart = pick(mean - eta > 0.1 * eta, mean - eta, apart)
     split = sine * sqrt(larger(apart * (mean + eta), 0) / pick(excess < 0, product - excess, 1))
     return sqrt(product / 2), pick(excess < 0, split, sqrt(product + larger(excess, 0))) / 2
 
@@ -741,8 +1233,8 @@ def motion_at(eta, piece: Piece, place):
     # done/2 + left/2 = half_width: near half a turn one follows from the other.
     done_sine = sin(pick(done > pi, lack + left / 2, done / 2))
     left_sine = sin(pick(left > pi, lack + done / 2, left / 2))
-    end, middle = rates(eta, basin, tip, half_width, sine, near, far, height)
     half_cosine = sin(lack / 2)
+    end, middle = rates(eta, basin, tip, half_width, sine, near, far, height)
     return Motion(
         tip,
         half_width,
@@ -786,20 +1278,17 @@ class Phase(NamedTuple):
 
 
 def phase_of(motion):
-    """The phase of the clamp, from χ by the duplication of an elliptic argument (DLMF 22.6(iii))."""
-    near, far = sqrt(motion.near), sqrt(motion.far)
-    done, left = far * motion.done_sine, near * motion.left_sine
-    # left − done, where the motion is symmetric by the sines, and else by the difference of its ends.
-    ahead = 2 * near * motion.half_cosine * sin((motion.left - motion.done) / 4)
-    ahead = ahead - motion.uneven * motion.done_sine
-    whole = done + left
-    square, cosine = 4 * (done / whole) * (left / whole), ahead / whole
-    a, b = motion.end, motion.middle
-    delta = hypot(a * cosine, b * sqrt(square))
-    first = cosine >= 0
-    versine = pick(first, square / (1 + abs(cosine)), 1 - cosine)
-    along = pick(first, delta + a * cosine, b * b * square / (delta + a * abs(cosine)))
-    return Phase(a * versine / (a + delta), along / (a + delta), whole, delta)
+    """The phase of the clamp: χ by the half-angle sines, and ψ by χ."""
+    near, far, end = sqrt(motion.near), sqrt(motion.far), motion.end
+    done, left = motion.done_sine, motion.left_sine
+    whole = phase_sum(near, far, done, left)
+    gap = sin((motion.left - motion.done) / 4)
+    cosine = phase_lead(near, motion.half_cosine, motion.uneven, done, gap) / whole
+    square, size, first = chi_square(far * done / whole, near * left / whole), abs(cosine), cosine >= 0
+    delta = hypot(end * cosine, motion.middle * sqrt(square))
+    half = pick(first, half_square(end, square, size, delta), half_square_beyond(end, size, delta))
+    rest = pick(first, half_rest(end, size, delta), half_rest_beyond(end, motion.middle, square, size, delta))
+    return Phase(half, rest, whole, delta)
 
 
 def lengths(a, b, square, rest):
@@ -810,11 +1299,9 @@ def lengths(a, b, square, rest):
     limit, more = 2 * epsilon() ** 0.5, True
     while more:
         more = any_of(abs(a - b) > limit * a)
-        delta = sqrt(a * a * rest + b * b * square)
+        delta = phase_rate(a, b, square, rest)
         total, below = a + b, a + delta
-        inner = a + (a * a + b * b * square) / (delta + b * square)
-        scale = below * below
-        square, rest = total * total * square / scale, 2 * a * rest * inner / scale
+        square, rest = gauss_square(square, total, below), gauss_rest(a, b, square, rest, delta, below)
         a, b = total / 2, sqrt(a * b)
     mean = (a + b) / 2
     return pi / (2 * mean), atan2(sqrt(square), sqrt(rest)) / mean
@@ -896,6 +1383,36 @@ def grid(eta, length, piece):
         inner += [side * place for place in (1.25, 2.5, 5.0, 10.0) if place < end]
         inner.append(side * end)
     return sorted(inner)
+
+
+def twist(eta, x):
+    """The couple of the field on a rod turned by x from it."""
+    return eta * sin(x) * cos(x)
+
+
+def ridge_couple(eta):
+    """The couple on a rod that points along α + π + x."""
+    return twist(eta, 0.0)
+
+
+def places(eta, length, piece):
+    """Places to begin with, closer around the level at which the motion nearly meets a ridge that is not quite there."""
+    found, basin = grid(eta, length, piece), piece.basin
+    if basin.even or basin.passes or piece.low_kind == "level" or basin.far.quarters - basin.hill.quarters != 4:
+        return found
+    cusp = pi
+    # How far η is below the value at which the ridge would appear.
+    missing = max(-ridge_couple(eta) / eta, epsilon())
+    cusp = 2 * pi - cusp
+    down = basin.well.angle - basin.hill.angle
+    rise = reach(eta, basin.hill, fall(eta, basin.hill, 0, cusp - basin.hill.angle), down, 1)
+    if missing > 0.3 or not 0 < rise < piece.width:
+        return found
+    middle = log(rise / (piece.width - rise))
+    # The range of tips that it slows down shrinks with the power 3/2.
+    steps = [0.25**k for k in range(ceil(1.1 * log(1 / missing)) + 3)]
+    around = [middle, *(middle - step for step in steps), *(middle + step for step in steps)]
+    return sorted([*found, *(place for place in around if found[0] < place < found[-1])])
 
 
 def end_sample(piece, last):
@@ -1039,7 +1556,7 @@ def crossings(eta, length, piece, most):
 
     # No half-swing is shorter than that of the stiffest pendulum.
     signs = (1,) if length * sqrt(eta) < pi else (1, -1)
-    samples = refined(sample, [sample(place) for place in grid(eta, length, piece)], length)
+    samples = refined(sample, [sample(place) for place in places(eta, length, piece)], length)
     end = end_sample(piece, samples[-1])
     if end is not None:
         samples.append(end)
@@ -1063,13 +1580,6 @@ def index_of(crossing):
     swings = 2 * crossing.turns - (1 if crossing.sign < 0 else 0)
     positive = crossing.rising != (crossing.sign > 0)
     return swings if positive == (swings % 2 == 0) else swings + 1
-
-
-def lift_of(motion, square, rest):
-    """x + √(X₂X₃), which is small where the motion is nearly a whole turn."""
-    near, far = sqrt(motion.near), sqrt(motion.far)
-    turn = motion.uneven + 2 * near * motion.half_cosine * motion.half_cosine
-    return near * (turn + 2 * far * rest / square) / 8
 
 
 def rj_pair(x, product, root_sum, p, lift, less, twist):
@@ -1112,55 +1622,51 @@ def rj_pair(x, product, root_sum, p, lift, less, twist):
     return (1 + low + high) / (scale * mean * complex_sqrt(mean)) + 6 * total
 
 
+def shift(eta, double_sine, double_cosine, motion, point, root, square, rest):
+    """W as real and imaginary part: ∫e^{iθ} from the tip is e^{iφ}(σ + W)."""
+    b, near, far = point.strength, sqrt(motion.near), sqrt(motion.far)
+    twist = complex_of(rj_delta_real(eta, b, double_cosine), rj_delta_imag(eta, b, double_sine))
+    lift = pair_lift(near, far, motion.uneven, motion.half_cosine, square, rest)
+    pole, lifted, less = complex_of(point.pole, -b), complex_of(lift, -b), complex_of(root, -b)
+    third = rj_pair(point.one, point.product, point.root_sum, pole, lifted, less, twist)
+    return w_real(b, third.imag), w_imag(b, third.real)
+
+
+def kink_at(first, second, point, root, q, m, square, rest):
+    """The part of η∫cos²(θ − α) without integral; towards the tip its terms are large and cancel in the first form."""
+    b, x, product = point.strength, point.pole, point.product
+    delta, across, near_root = phase_rate(first, second, square, rest), sqrt(square * rest), sqrt(point.one)
+    others = others_sum(q, root)
+    gap = pole_gap(x, abs(x), others, others_product(b, m, root, others), product)
+    far = arc_kink(square, delta, across, b, x, near_root, product)
+    return pick(x > 1, arc_kink_tip(first, second, delta, across, b, x, near_root, gap), far)
+
+
 def second_kind(a, b, square, rest, arrival):
     """(b² − a²)∫sin²ψ over the same range as ``arrival``, the length, by the same transformation (DLMF 19.8.19)."""
-    limit, more, weight, total = 2 * epsilon() ** 0.5, True, 1, 0
+    limit, more, weight, growth = 2 * epsilon() ** 0.5, True, 1, 0
     while more:
         more = any_of(abs(a - b) > limit * a)
-        delta = sqrt(a * a * rest + b * b * square)
-        total = total - weight * (a - b) * (a + b) * (arrival / 2 - sqrt(square * rest) / (a + delta))
-        sum_, below = a + b, a + delta
-        inner = a + (a * a + b * b * square) / (delta + b * square)
-        scale = below * below
-        square, rest = sum_ * sum_ * square / scale, 2 * a * rest * inner / scale
-        a, b, weight = sum_ / 2, sqrt(a * b), 2 * weight
-    return total
-
-
-def second_part(eta, lean, motion, point, square, rest, extent):
-    """d℘/dσ·Re 1/(℘ − ℘(v)) less 2∫(℘ − e₁), by which η∫cos²(θ − α) is told from what does not grow along the rod."""
-    a, b = motion.end / 2, motion.middle / 2
-    strength, x = point.strength, point.pole
-    growth = eta * cos(2 * lean)
-    cubic = -(eta * sin(lean) * cos(lean))
-    first = motion.near * cos(motion.half_width) / 8
-    pair_sum = -growth / 4 - first
-    pair_product = strength * cubic / 4 - first * pair_sum
-    delta = sqrt(a * a * rest + b * b * square)
-    across = sqrt(square * rest)
-    root = sqrt(point.one)
-    far = 4 * delta * across / square - 2 * root * (1 + x * point.product / (x * x + strength * strength))
-    # Towards the tip the terms above are large and cancel; x² − x√(X₂X₃) is told by what X₂X₃ is in x.
-    gap = x * (x * pair_sum - pair_product) / (abs(x) + point.product)
-    near = 4 * (b - a) * (b + a) * across / delta
-    near = near + 2 * root * (strength * strength + gap) / (x * x + strength * strength)
-    kink = pick(x > 1, near, far)
-    return kink + 4 * second_kind(a, b, square, rest, extent) + 2 * (a * a - first) * extent
+        delta = phase_rate(a, b, square, rest)
+        growth = growth - weight * second_kind_step(a, b, square, rest, delta, arrival)
+        total, below = a + b, a + delta
+        square, rest = gauss_square(square, total, below), gauss_rest(a, b, square, rest, delta, below)
+        a, b, weight = total / 2, sqrt(a * b), 2 * weight
+    return growth
 
 
 def arc_to(eta, motion, point, square, rest, extent):
     """The arc from the tip to a point, at ψ, of the given length."""
-    lean = motion.tip
-    strength = point.strength
-    spread = strength * strength * eta / 4
-    twist = complex_of(spread * cos(2 * lean), spread * sin(2 * lean))
-    pole, less = complex_of(point.pole, -strength), complex_of(point.pole - point.one, -strength)
-    lift = complex_of(lift_of(motion, square, rest), -strength)
-    third = rj_pair(point.one, point.product, point.root_sum, pole, lift, less, twist)
-    excess = complex_of(0, 2 * strength / 3) * third
-    place = complex_of(cos(motion.tip), sin(motion.tip)) * (extent + excess)
-    kept = eta * cos(lean) * cos(lean) * extent
-    return Arc(place.real, place.imag, kept - 2 * second_part(eta, lean, motion, point, square, rest, extent))
+    sine, cosine, lean = sin(motion.tip), cos(motion.tip), motion.tip
+    double_sine, double_cosine = sin(2 * lean), cos(2 * lean)
+    root = far_root(motion.near, cos(motion.half_width))
+    w_re, w_im = shift(eta, double_sine, double_cosine, motion, point, root, square, rest)
+    y, z = arc_y(sine, cosine, extent, w_re, w_im), arc_z(sine, cosine, extent, w_re, w_im)
+    first, second = motion.end / 2, motion.middle / 2
+    q, m = rest_stiffness(eta, double_cosine), tip_cubic(eta, double_sine)
+    kink = kink_at(first, second, point, root, q, m, square, rest)
+    growth = second_kind(first, second, square, rest, extent)
+    return Arc(y, z, arc_square(eta, cos(lean), first, root, extent, kink, growth))
 
 
 class Point(NamedTuple):
@@ -1179,9 +1685,9 @@ class Point(NamedTuple):
 
 def far_point(motion):
     """The far turning point."""
-    strength = motion.near_moment / 4
-    cosine = cos(motion.half_width)
-    return Point(strength, strength * cosine / motion.sine, 0, motion.end * motion.end / 4, motion.middle)
+    b = strength(motion.near_moment)
+    pole = point_pole(b, motion.sine, cos(motion.half_width))
+    return Point(b, pole, 0, far_pair_root(motion.end), motion.middle)
 
 
 def with_stays(eta, arc, stay, middle, far, basin):
@@ -1195,13 +1701,11 @@ def with_stays(eta, arc, stay, middle, far, basin):
 
 def clamp_point(motion, phase):
     """The point where the motion meets the clamp."""
-    strength = motion.near_moment / 4
-    sine, cosine = motion.done_sine, cos(motion.done / 2)
-    one = strength * motion.left_sine / (sine * motion.sine)
-    product = sqrt(motion.near) * phase.delta * phase.whole / (8 * motion.end * sine)
-    a, b = motion.end, motion.middle
-    root_sum = sqrt((a * a * phase.rest + b * b * phase.square) / phase.square)
-    return Point(strength, strength * cosine / sine, one, product, root_sum)
+    b, done = strength(motion.near_moment), motion.done_sine
+    one = point_near(b, motion.sine, done, motion.left_sine)
+    product = pair_root(sqrt(motion.near), done, phase.whole, phase.delta / motion.end)
+    delta = phase_rate(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
+    return Point(b, point_pole(b, done, cos(motion.done / 2)), one, product, pair_root_sum(phase.square, delta))
 
 
 def bent_rod(rod, turns, piece, crossing, index):
@@ -1301,13 +1805,13 @@ def straight(rod, most):
 
 def all_equilibria(eta, length, clamp_angle, max_index):
     """Every equilibrium, sorted by tip angle: from the tips below the clamp angle, above it, and the straight rod."""
-    if eta == 0:
-        return [idle_rod(eta, length, clamp_angle)]
+    if length * sqrt(eta) <= epsilon():
+        return [weak_rod(eta, length, clamp_angle)]
     most = inf if max_index is None else max_index
     scale = frexp(eta)[1] // 2
     rod = Rod(ldexp(eta, -2 * scale), ldexp(length, scale), clamp_angle, 1, scale)
     mirrored = Rod(rod.eta, rod.length, -clamp_angle, -1, scale)
-    return [*below(rod, most), *straight(rod, most), *below(mirrored, most)[::-1]]
+    return in_order([*below(rod, most), *straight(rod, most), *below(mirrored, most)[::-1]])
 
 
 def integer(name: str, value: Any) -> int:
@@ -1347,40 +1851,36 @@ def phase_at(a, b, length):
     square, rest = pick(first, small, 1 - small), pick(first, 1 - small, small)
     for a, b in reversed(steps):
         gap = a - b
-        below = pick(gap > 0, a + b + gap * square, 2 * a - gap * rest)
-        wide = 4 * a * b + gap * gap * rest
-        square, rest = 4 * a * a * square / (below * below), rest * wide / (below * below)
+        below = pick(gap > 0, back_below(a, b, square), back_below_rest(a, b, rest))
+        square, rest = back_square(a, square, below), back_rest(a, b, gap, rest, below)
     return square, rest
 
 
 def point_at(motion, square, rest):
-    """The point at ψ by sin²ψ and cos²ψ, and half the angle from the tip to it.
-
-    By cos χ, from the duplication of the argument (DLMF 22.6(iii)), in forms that lose nothing where the motion is
-    nearly a whole turn.
-    """
-    a, b = motion.end / 2, motion.middle / 2
-    near, far = sqrt(motion.near), sqrt(motion.far)
-    strength = motion.near_moment / 4
-    delta = sqrt(a * a * rest + b * b * square)
-    one = a * a * a * a * rest / (square * delta * delta)
+    """The point at ψ by sin²ψ and cos²ψ, and half the angle from the tip to it with its sine, by cos χ."""
+    a, b, near, far = motion.end / 2, motion.middle / 2, sqrt(motion.near), sqrt(motion.far)
     flat = (b / a) * (b / a) * square
-    scale = rest * (1 + square) + flat * square
-    turned = (rest * rest - flat * square) / scale
-    versine = 2 * square * (rest + flat) / scale
-    bent = (rest * rest + flat * (1 + rest)) / scale
-    tilt = motion.uneven + turned * (near + far)
+    scale = chi_scale(square, rest, flat)
+    versine, coversine = chi_versine(square, rest, flat, scale), chi_coversine(rest, scale)
+    level = turn_level(near, far, versine, coversine)
+    # The difference of the roots where they are near each other, else that of the terms themselves.
+    alike = turn_tilt(near, far, motion.uneven, chi_cosine(square, rest, flat, scale))
+    apart = turn_tilt_apart(near, far, versine, coversine)
+    tilt = pick(abs(motion.uneven) < 0.1 * (near + far), alike, apart)
     sine, cosine = sin(motion.half_width / 2), motion.half_cosine
-    level = near * versine + far * (1 + turned)
-    first = 2 * sine * cosine * near * versine
-    first_level = cosine * cosine * level + sine * sine * tilt
-    second = 4 * sine * cosine * far * rest / scale
-    second_level = cosine * cosine * level - sine * sine * tilt
-    low = first / sqrt(first * first + first_level * first_level)
-    high = second / sqrt(second * second + second_level * second_level)
-    product = near * bent * (far * low + near * high) / (8 * low)
-    pole = strength * first_level / first
-    return Point(strength, pole, one, product, 2 * delta / sqrt(square)), atan2(first, first_level)
+    over, under = turn_over(near, sine, cosine, versine), turn_under(sine, cosine, level, tilt)
+    left_over, left_under = turn_over(far, sine, cosine, coversine), turn_under(sine, cosine, level, -tilt)
+    done = unit_sine(over, under)
+    whole = phase_sum(near, far, done, unit_sine(left_over, left_under))
+    delta, strong = phase_rate(a, b, square, rest), strength(motion.near_moment)
+    point = Point(
+        strong,
+        point_pole(strong, over, under),
+        near_by_phase(square, rest, a * a / delta),
+        pair_root(near, done, whole, chi_rate(square, rest, flat, scale)),
+        pair_root_sum(square, delta),
+    )
+    return point, atan2(over, under), done
 
 
 def regular_part(rod, motion, length):
@@ -1388,11 +1888,9 @@ def regular_part(rod, motion, length):
     if length <= 0:
         return motion.tip, 0 * length, Arc(0, 0, 0)
     square, rest = phase_at(motion.end / 2, motion.middle / 2, length)
-    point, half = point_at(motion, square, rest)
+    point, half, low = point_at(motion, square, rest)
     arc = arc_to(rod.eta, motion, point, square, rest, length)
-    # dx/dσ = −2√X₁X₂X₃ and x = b cot(δ/2).
-    low = sin(half)
-    speed = 4 * sqrt(point.one) * point.product * low * low / point.strength
+    speed = point_speed(point.strength, low, point.one, point.product)
     return motion.tip + 2 * half, speed, arc
 
 
@@ -1420,8 +1918,10 @@ def angle_and_position(equilibrium, s):
     """θ, θ′, y and z at an arc length s from the clamp."""
     rod, swing = equilibrium.rod, equilibrium.swing
     if swing is None:
-        share = s / ldexp(rod.length, -rod.scale)
-        return equilibrium.tip_angle + 0 * s, 0 * s, equilibrium.y * share, equilibrium.z * share
+        length = ldexp(rod.length, -rod.scale)
+        share, left, bend = s / length, length - s, equilibrium.clamp_curvature
+        angle = equilibrium.tip_angle - bend * left * (left / length) / 2
+        return angle, bend * (left / length), equilibrium.y * share, equilibrium.z * share
     sigma = rod.length - ldexp(s, rod.scale)
     count = floor(sigma / swing.length)
     within = sigma - count * swing.length
@@ -1442,6 +1942,26 @@ def period_of(equilibrium):
     return 2 * swing.length, -2 * ldexp(1.0, -rod.scale) * complex(swing.arc.y, rod.side * swing.arc.z)
 
 
+def angle_and_slope(rod, swing, length):
+    """θ and its slope at a length from the tip; they cost much less than y and z."""
+    stay, motion = swing.stay, swing.stay.motion
+    count = floor(length / swing.length)
+    within, sign = length - count * swing.length, rod.side
+    if count % 2:
+        within, sign = swing.length - within, -rod.side
+    regular = swing.length - stay.tip - stay.middle - stay.far
+    moving = within - min(within, stay.tip)
+    before = min(moving, regular / 2 if stay.middle > 0 else regular)
+    here = min(before + max(moving - before - stay.middle, 0), regular)
+    if here <= 0:
+        return rod.side * (motion.tip + 2 * np.pi * swing.turns), 0.0
+    square, rest = phase_at(motion.end / 2, motion.middle / 2, here)
+    point, half, _ = point_at(motion, square, rest)
+    cotangent = point.pole / point.strength
+    slope = 4 * sqrt(point.one) * point.product / (point.strength * (1 + cotangent * cotangent))
+    return rod.side * (motion.tip + 2 * half + 2 * np.pi * swing.turns), sign * slope
+
+
 class State(NamedTuple):
     """What the series of a bin starts from: angle, its slope by the length from the tip, and y + iz."""
 
@@ -1450,29 +1970,14 @@ class State(NamedTuple):
     place: Any
 
 
-def angle_and_slope(rod, swing, length):
-    """θ and its slope at a length from the tip on a rod without stays, which cost much less than y and z."""
-    motion = swing.stay.motion
-    count = floor(length / swing.length)
-    within, sign = length - count * swing.length, rod.side
-    if count % 2:
-        within, sign = swing.length - within, -rod.side
-    if within <= 0:
-        return rod.side * (motion.tip + 2 * np.pi * swing.turns), 0.0
-    square, rest = phase_at(motion.end / 2, motion.middle / 2, within)
-    point, half = point_at(motion, square, rest)
-    cotangent = point.pole / point.strength
-    slope = 4 * sqrt(point.one) * point.product / (point.strength * (1 + cotangent * cotangent))
-    return rod.side * (motion.tip + 2 * half + 2 * np.pi * swing.turns), sign * slope
-
-
 def state_of(equilibrium, length, position):
     """The state at a length from the tip."""
-    rod, stay = equilibrium.rod, equilibrium.swing.stay
-    if position or stay.tip + stay.middle + stay.far > 0:
-        angle, curvature, y, z = angle_and_position(equilibrium, ldexp(rod.length - length, -rod.scale))
-        return State(angle, -ldexp(curvature, -rod.scale), complex(y, z))
-    return State(*angle_and_slope(rod, equilibrium.swing, length), 0)
+    rod = equilibrium.rod
+    angle, slope = angle_and_slope(rod, equilibrium.swing, length)
+    if not position:
+        return State(angle, slope, 0)
+    _, _, y, z = angle_and_position(equilibrium, ldexp(rod.length - length, -rod.scale))
+    return State(angle, slope, complex(y, z))
 
 
 def straight_ranges(state_at, count, turn):
@@ -1601,12 +2106,14 @@ def cells_for(equilibrium, bins, points):
     return max((cells for cells in (1, 2, 4) if average / cells >= ENOUGH * cells), default=0)
 
 
-def divided(coefficients, half, cells, terms):
+def divided(coefficients, half, cells, change=None):
     """Series about the middles of equal cells of bins, by power and cell, in a place between −1 and 1.
 
-    half: half the width of a bin. terms: how many terms are wanted, of all that the series have.
+    half: half the width of a bin. change: a matrix for the terms of each cell, as many as it has columns; like those of
+    x^k, what it makes of them has no terms beyond the k-th.
     """
     size, part = len(coefficients), half / cells
+    terms = size if change is None else len(change)
     middles = (2 * np.arange(cells) + 1 - cells) * part
     powers = np.zeros((size, terms, cells))
     powers[0, 0] = 1
@@ -1614,11 +2121,19 @@ def divided(coefficients, half, cells, terms):
         # (middle + part·x)^k, by powers of x.
         powers[k] = middles * powers[k - 1]
         powers[k, 1:] += part * powers[k - 1, :-1]
-    rows = np.zeros((coefficients.shape[1], terms * cells))
-    # The smallest terms first.
-    for coefficient, power in zip(coefficients[::-1], powers[::-1], strict=True):
-        rows += coefficient[:, None] * power.reshape(1, -1)
-    return rows.reshape(-1, terms, cells).transpose(1, 0, 2).reshape(terms, -1)
+    if change is not None:
+        powers = np.einsum("mn,knc->kmc", change, powers)
+    count = coefficients.shape[1]
+    found = np.empty((terms, count, cells))
+    for first in range(0, count, AT_A_TIME):
+        some = slice(first, first + AT_A_TIME)
+        rows = np.zeros((len(coefficients[0, some]), terms * cells))
+        # The smallest terms first; of x^k there are none beyond the k-th.
+        for k in range(size - 1, -1, -1):
+            filled = min(k + 1, terms) * cells
+            rows[:, :filled] += coefficients[k, some, None] * powers[k].reshape(-1)[:filled]
+        found[:, some] = rows.reshape(-1, terms, cells).transpose(1, 0, 2)
+    return found.reshape(terms, -1)
 
 
 def chebyshev(size):
@@ -1659,7 +2174,7 @@ def series_of(rod, bins, cells, position):
     """
     half = bins.width / 2
     places = (bins.place.real, bins.place.imag) if position else ()
-    angle, *parts = (divided(part, half, cells, len(part)) for part in (bins.angle, *places))
+    angle, *parts = (divided(part, half, cells) for part in (bins.angle, *places))
     slope = -ldexp(cells / half, rod.scale) * np.arange(1, len(angle))[:, None] * angle[1:]
     parts = [angle, slope, *parts]
     length = ldexp(max(1.0, rod.length), -rod.scale)
@@ -1724,43 +2239,43 @@ def by_runs(equilibrium, bins, cells, s, position):
     return results if position else [*results, None, None]
 
 
-def in_cells(bins, coefficients, cells):
-    """The series of all cells, with two terms more than what is wanted; a straight bin is one cell."""
-    terms, half = ANGLE_DEGREE + 3, bins.width / 2
-    bent = divided(coefficients[:, ~bins.straight], half, cells, terms)
-    if not np.any(bins.straight):
-        return bent
-    whole = np.repeat(bins.straight, np.where(bins.straight, 1, cells))
-    series = np.empty((terms, len(whole)))
-    series[:, ~whole] = bent
-    series[:, whole] = divided(coefficients[:, bins.straight], half, 1, terms)
-    return series
+def cut(terms, degree):
+    """The matrix by which a polynomial's terms become those of one of a degree near it in [−1, 1], and below them the
+    coefficients of the Chebyshev polynomials by which the two differ."""
+    of_powers, of_chebyshev = chebyshev(terms)
+    kept = degree + 1
+    return np.concatenate((of_chebyshev[:kept, :kept].T @ of_powers.T[:kept], of_powers.T[kept:]))
 
 
-def cut(coefficients, degree):
-    """Polynomials, a column each, of a degree, near the given ones in [−1, 1]; by how much at most they and their
-    slopes differ: T_n is at most 1 there, and its slope at most n²."""
-    of_powers, of_chebyshev = chebyshev(len(coefficients))
-    parts, kept = of_powers.T @ coefficients, degree + 1
-    rest, orders = abs(parts[kept:]), np.arange(kept, len(parts))
-    return of_chebyshev[:kept, :kept].T @ parts[:kept], np.max(rest.sum(axis=0)), np.max((orders * orders) @ rest)
+def in_cells(bins, coefficients, cells, degree):
+    """The series of all cells, and the largest parts that are left out of any; a straight bin is one cell."""
+    change, bent = cut(TERMS, degree), ~bins.straight
+    found = divided(coefficients[:, bent], bins.width / 2, cells, change)
+    if not np.all(bent):
+        whole = np.repeat(bins.straight, np.where(bins.straight, 1, cells))
+        both = np.empty((TERMS, len(whole)))
+        both[:, ~whole] = found
+        both[:, whole] = divided(coefficients[:, bins.straight], bins.width / 2, 1, change)
+        found = both
+    return found[: degree + 1], abs(found[degree + 1 :])
 
 
 def short_series(rod, bins, cells, position):
     """The series of all cells in a place between −1 and 1; None if they are not right to a quarter spacing."""
-    angle = in_cells(bins, bins.angle, cells)
+    angle, rest = in_cells(bins, bins.angle, cells, ANGLE_DEGREE)
     # In a straight cell, which is wider, the slope is right by the width of the others; θ there changes by nothing.
     angle[1:, np.repeat(bins.straight, np.where(bins.straight, 1, cells))] /= cells
-    angle, _, error = cut(angle, ANGLE_DEGREE)
-    if error > quarter() * bins.width / (2 * cells):
+    # The slope of T_n is at most n².
+    orders = np.arange(ANGLE_DEGREE + 1, TERMS)
+    if np.max(orders * orders @ rest) > quarter() * bins.width / (2 * cells):
         return None
-    if not position:
-        return [angle]
-    (y, y_error, _), (z, z_error, _) = (
-        cut(in_cells(bins, part, cells), PLACE_DEGREE) for part in (bins.place.real, bins.place.imag)
-    )
-    allowed = quarter() * ldexp(max(1.0, rod.length), -rod.scale)
-    return [angle, y, z] if max(y_error, z_error) <= allowed else None
+    parts = [angle]
+    for place in (bins.place.real, bins.place.imag) if position else ():
+        part, rest = in_cells(bins, place, cells, PLACE_DEGREE)
+        if np.max(rest.sum(axis=0)) > quarter() * ldexp(max(1.0, rod.length), -rod.scale):
+            return None
+        parts.append(part)
+    return parts
 
 
 class Table(NamedTuple):
@@ -1789,18 +2304,20 @@ def halves(coefficients):
 def table_of(equilibrium, bins, position):
     """The table of an equilibrium, by its bins: as many cells in each as the short series need."""
     rod = equilibrium.rod
-    cells, parts = 16, None
+    cells, parts = 32, None
     while parts is None:
         cells *= 2
         parts = short_series(rod, bins, cells, position)
     uniform = not np.any(bins.straight)
     counts = np.where(bins.straight, 1, cells)
+    period, advance = period_of(equilibrium)
     return Table(
         bins.start * (cells if uniform else 1),
         cells / bins.width if uniform else 1 / bins.width,
         None if uniform else np.stack((np.cumsum(counts) - counts, counts), axis=1).astype(float),
         tuple(halves(part * 2.0 ** np.arange(len(part))[:, None]) for part in parts),
-        *period_of(equilibrium),
+        period,
+        advance,
         -ldexp(cells / bins.width, rod.scale),
     )
 
@@ -1884,9 +2401,8 @@ def by_lookup(equilibrium, bins, s, position):
     """θ, θ′, y and z at s; y and z are None without ``position``."""
     table = table_of(equilibrium, bins, position)
     results = [np.empty(s.size) for _ in range(4 if position else 2)]
-    spare = Spare(
-        *(np.empty(LOOKUP_BLOCK) for _ in range(3)), np.empty((LOOKUP_BLOCK, 4)), np.empty(LOOKUP_BLOCK, dtype=np.intp)
-    )
+    gathered, row = np.empty((LOOKUP_BLOCK, 4)), np.empty(LOOKUP_BLOCK, dtype=np.intp)
+    spare = Spare(np.empty(LOOKUP_BLOCK), np.empty(LOOKUP_BLOCK), np.empty(LOOKUP_BLOCK), gathered, row)
     for first in range(0, s.size, LOOKUP_BLOCK):
         block = slice(first, min(first + LOOKUP_BLOCK, s.size))
         fill(equilibrium.rod, table, s[block], [part[block] for part in results], spare)

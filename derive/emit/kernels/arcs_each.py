@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/arcs.py: do not edit, change that file.
 
-Digest of the inputs: sha256 68d825a1b8133f2fe7fcce4fcc1cfb4cd3aa1fc306d5d177d5f660510fd099da
+Digest of the inputs: sha256 183154f6f3dc95812d2b67d1ffc75ba48db8425edb011f8dc3ad397323988be6
 """
 
 from __future__ import annotations
@@ -116,9 +116,11 @@ def shift_each(eta, double_sine, double_cosine, motion, point, root, square, res
 def kink_at_each(first, second, point, root, q, m, square, rest):
     """The part of η∫cos²(θ − α) without integral; towards the tip its terms are large and cancel in the first form."""
     b, x, product = point.strength, point.pole, point.product
-    delta, across, near_root = phase_rate_each(
-        first, second, square, rest
-    ), each_sqrt(square * rest), each_sqrt(point.one)
+    delta, across, near_root = (
+        phase_rate_each(first, second, square, rest),
+        each_sqrt(square * rest),
+        each_sqrt(point.one),
+    )
     others = others_sum_each(q, root)
     gap = pole_gap_each(x, each_abs(x), others, others_product_each(b, m, root, others), product)
     far = arc_kink_each(square, delta, across, b, x, near_root, product)

@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 ed172892925a23103f52cc90478c4bec528738ea54731d26bbdcdbf6aa0fe9bc
+Digest of the inputs: sha256 94266abe88ffb121715d5a967e9a1c201bdee3317b17119f3495ed405e7a7c2b
 """
 
 from __future__ import annotations
@@ -459,9 +459,8 @@ def arc_kink_tip(first, second, delta, across, b, pole, near_root, gap):
 
     Proved as swing.arc_kink_tip.
     """
-    return (
-        across * (4 * second - 4 * first) * (first + second) / delta
-        + 2 * near_root * (gap + b * b) / (b * b + pole * pole)
+    return across * (4 * second - 4 * first) * (first + second) / delta + 2 * near_root * (gap + b * b) / (
+        b * b + pole * pole
     )
 
 

@@ -355,9 +355,8 @@ def arc_kink_tip_each(first, second, delta, across, b, pole, near_root, gap):
 
     Proved as swing.arc_kink_tip.
     """
-    return (
-        across * (4 * second - 4 * first) * (first + second) / delta
-        + 2 * near_root * (gap + b * b) / (b * b + pole * pole)
+    return across * (4 * second - 4 * first) * (first + second) / delta + 2 * near_root * (gap + b * b) / (
+        b * b + pole * pole
     )
 
 

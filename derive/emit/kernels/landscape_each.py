@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/landscape.py: do not edit, change that file.
 
-Digest of the inputs: sha256 2af92e190523bf389a7ac1905beb8e58d54d6281b5825760546e64d506d80ff1
+Digest of the inputs: sha256 41c4ae49110056fffee50f48a9e29c3e8eca2b8a482019dbbc793df8e5db7e98
 """
 
 from __future__ import annotations
@@ -75,7 +75,8 @@ def oblique_landscape_each(beta, eta, field_angle):
 
 def has_second_pair_each(beta, eta, field_angle):
     """Whether the field is strong enough for a second hill and well."""
-    return ridge_couple_each(beta, eta, field_angle, astroid_cusp_each(field_angle)) > 4 * epsilon() * (beta + eta)
+    # Of a couple c at the cusp the ridge is as high as c to the power 3/2: below this it is lost in rounding.
+    return ridge_couple_each(beta, eta, field_angle, astroid_cusp_each(field_angle)) > epsilon() ** 0.7 * (beta + eta)
 
 
 def mirror_landscape_each(scene):

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 927816854c2d08ef5da0dc758f047ff2c2e94b49fff07163db585c4ed9546055
+Digest of the inputs: sha256 351ecc659ec3b150dc6dbc61dd593a26ef8b82a925ac5c83991c272ef001ae6f
 """
 
 from __future__ import annotations
@@ -84,8 +84,8 @@ def motion_at_each(beta, eta, field_angle, piece: PieceEach, place):
     # done/2 + left/2 = half_width: near half a turn one follows from the other.
     done_sine = each_sin(pick(done > pi, lack + left / 2, done / 2))
     left_sine = each_sin(pick(left > pi, lack + done / 2, left / 2))
-    end, middle = rates_each(beta, eta, field_angle, basin, tip, half_width, sine, near, far, height)
     half_cosine = each_sin(lack / 2)
+    end, middle = rates_each(beta, eta, field_angle, basin, tip, half_width, sine, near, far, height)
     return MotionEach(
         tip,
         half_width,
@@ -151,13 +151,16 @@ def far_side_each(eta, piece, rise, drop, depth, done):
     else:
         below = basin.far_rise + fall_each(eta, hill, 0, rise)
     if basin.passes:
-        above = -fall_each(eta, far_well, 0, down) - below
+        # Not below the ridge, however near it is to the well behind it.
+        ridge = fall_each(eta, basin.axis, 0, far_well.angle - basin.axis.angle)
+        above = larger(-fall_each(eta, far_well, 0, down) - below, ridge)
     else:
         above = -fall_each(eta, well, 0, -depth)
     by_hill = below < above
     distance = reach_either_each(eta, far, far_well, by_hill, pick(by_hill, below, above), down)
     turn = pick(by_hill, down - distance, distance)  # far turning point − far_well
-    clamp_turn = down - piece.far_gap  # clamp − far_well
+    # clamp − far_well
+    clamp_turn = down - piece.far_gap if basin.passes else piece.clamp_gap - piece.high_depth
     left = pick(by_hill, piece.far_gap - distance, distance - clamp_turn)
     if basin.passes:
         half_width = (turn + depth + (far_well.angle - well.angle)) / 2
@@ -198,26 +201,27 @@ def rates_each(beta, eta, field_angle, basin, tip, half_width, sine, near, far, 
     product = each_sqrt(near) * each_sqrt(far)
     excess = -(2 * beta * each_cos(middle) * cosine + eta * each_cos(double) * (1 + cosine * cosine))
     mean = -(2 * beta * each_cos(middle) + eta * cosine * each_cos(double))
-    apart = mean - eta
-    close = above_field_each(eta, basin, middle, half_width, field_angle, height)
-    apart = pick(apart > 0.1 * eta, apart, close)
+    # mean − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to level.
+    ahead, behind = each_sin(half_width / 2 + double / 2), each_sin(half_width / 2 - double / 2)
+    by_far, by_near = far - 2 * eta * ahead * ahead, near - 2 * eta * behind * behind
+    apart = above_field_each(eta, basin, middle, half_width, field_angle, height)
+    apart = pick(2 * by_near > near, by_near, apart)
+    apart = pick(2 * by_far > far, by_far, apart)
+    apart = pick(mean - eta > 0.1 * eta, mean - eta, apart)
     split = sine * each_sqrt(larger(apart * (mean + eta), 0) / pick(excess < 0, product - excess, 1))
     return each_sqrt(product / 2), pick(excess < 0, split, each_sqrt(product + larger(excess, 0))) / 2
 
 
 def above_field_each(eta, basin, middle, half_width, field_angle, height):
     """``mean`` less η where they are near each other: 2(V(tip) − V)/(cos(θ − middle) − cos(half_width)) at the θ at
-    which it is least, which lies then near the ridge or the well."""
-    axis = basin.axis
+    which it is least, which lies then near the ridge or the well. height: from there to the tip."""
     shift = wrapped_each(2 * (field_angle - middle))
-    offset = wrapped_each(middle + shift - axis.angle)
+    offset = wrapped_each(middle + shift - basin.axis.angle)
     # As near the ridge as rounding it is nearer still: it is there to the second order in the height.
     offset = pick(each_abs(offset) < 32 * spacing(offset), 0, offset)
     outer, inner = each_sin(half_width / 2), each_sin(shift / 2)
-    return (
-        (height + fall_each(eta, axis, 0, offset))
-        / pick(outer * outer == inner * inner, 1, outer * outer - inner * inner)
-    )
+    turn = outer * outer - inner * inner
+    return (height + fall_each(eta, basin.axis, 0, offset)) / pick(turn == 0, 1, turn)
 
 
 def wrapped_each(angle):

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/pieces.py: do not edit, change that file.
 
-Digest of the inputs: sha256 f482cf7f643b6d636bd7105df83c59d24f70854b1ab093898103b10732edb65e
+Digest of the inputs: sha256 2bb59ebaa3a10a7db1943b7095ab97743c14366cf4b044ce4f4ff9ecac27e729
 """
 
 from __future__ import annotations
@@ -100,7 +100,8 @@ def reach_each(eta, rest, amount, most, side):
     most: the distance of the next well (or hill). Newton's method for the square root of the difference, which is
     nearly linear, from the pendulum's value.
     """
-    share = amount / each_abs(fall_each(eta, rest, 0, side * most))
+    amount = larger(amount, 0)  # of a hill and a well that nearly meet, rounding may give less
+    share = amount / larger(each_abs(fall_each(eta, rest, 0, side * most)), epsilon() ** 20)
     near = most * each_asin(each_sqrt(pick(share < 1, share, 1))) * (2 / pi)
     goal, moving = each_sqrt(amount), True
     for _ in range(40):
@@ -271,7 +272,9 @@ def level_turn_each(ground):
     down = basin.well.angle - basin.hill.angle
     above, below = -fall_each(eta, basin.well, 0, at[1]), fall_each(eta, basin.far, 0, at[2])
     from_well = reach_each(eta, basin.well, above, down, -1)
-    width = onward_each(eta, basin.hill, level, below, down - level - from_well)
+    # Towards the well V is flat and tells little, but there the angles tell all.
+    rough = down - level - from_well
+    width = pick(below < above / 4, onward_each(eta, basin.hill, level, below, rough), rough)
     return piece_of_each(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
 
 
@@ -294,7 +297,8 @@ def pass_turn_each(ground):
     eta, over, level, at = ground.eta, over_ridge_each(ground), ground.level, ground.at
     down = over.well.angle - over.hill.angle
     width = -at[4] if over.even else reach_each(eta, over.hill, fall_each(eta, over.far, 0, at[4]), down, 1)
-    gap = -onward_each(eta, over.hill, level, ground.height, width - level)
+    # Towards the hill V is flat and tells little, but there the angles tell all.
+    gap = pick(width < level / 2, level - width, -onward_each(eta, over.hill, level, ground.height, width - level))
     return piece_of_each(over, "hill", "turn", 0, width, down - width, at[0] - width, gap, at)
 
 
