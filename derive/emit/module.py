@@ -48,7 +48,7 @@ def emit_module(
     backend: str,
     *,
     kernels: Mapping[str, str] | None = None,
-    instances: Mapping[str, str] = ARRAY_INSTANCES,
+    instances: Mapping[str, str] | None = None,
     formulas: Mapping[str, Formula] | None = None,
     common: bool = False,
 ) -> EmittedModule:
@@ -59,6 +59,8 @@ def emit_module(
     subexpressions.
     """
     sources = read_kernels() if kernels is None else dict(kernels)
+    if instances is None:
+        instances = {stem: name for stem, name in ARRAY_INSTANCES.items() if kernels is None or stem in kernels}
     sources |= {stem: instance_text(made) for stem, made in make_instances(sources, instances).items()}
     known = KernelFiles(sources, backend, instances)
     formulas = formulas_of(theory, GENERAL_CASE, scene.case) if formulas is None else formulas

@@ -46,7 +46,7 @@ class Path(NamedTuple):
     far: float
 
 
-class Motion(NamedTuple):
+class LiteralRod(NamedTuple):
     """A rod in the article's letters. ``constant``: γ or γ̄. ``whole``, ``branch``: θ(ℓ) = whole ± arccos ξ(ℓ)."""
 
     constant: float
@@ -87,7 +87,7 @@ def motion_of(beta, eta, length, gamma, tip_angle):
     end, tip, far = path_of(beta, eta, constant, tip_angle)
     u_o = end[0] * omega_1 - length + 1j * end[1] * omega_3
     whole = 2 * pi * floor(tip_angle / (2 * pi) + 0.5)
-    return Motion(constant, g2, g3, omega_1, u_o, tip, far, whole, 1 if tip_angle > whole else -1)
+    return LiteralRod(constant, g2, g3, omega_1, u_o, tip, far, whole, 1 if tip_angle > whole else -1)
 
 
 def angle_and_position_literally(equilibrium, s):
