@@ -27,7 +27,7 @@ from generated import field_only_numpy, parallel_mpmath, parallel_numpy
 NAMES = ("beta", "eta", "length", "clamp_angle", "field_angle")
 GOOD = (1.0, 1.0, 2.0, 1.0, 0.0)
 RIGHT = dict(zip(NAMES[:4], GOOD, strict=False))
-NO_NUMBERS = ("2", b"2", True, 1j, None, [1.0], (1,), {}, np.array([1.0]), np.True_, np.complex64(1), object())
+NO_NUMBERS = ("2", b"2", True, 1j, None, [1.0], (1,), {}, np.array([1.0]), np.True_, np.complex64(1), ...)
 NOT_FINITE = (math.nan, math.inf, -math.inf, np.float64("nan"), 10**400, 10**5000)
 
 
