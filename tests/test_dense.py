@@ -107,9 +107,9 @@ def test_against_taylor_integration(name):
         ):
             for k, want in enumerate(wanted):
                 angle = 4 * max(1.0, abs(float(want.theta))) + largest(moved, "theta") + 4 * rate * rod.length
-                assert abs(values[0][k] - want.theta) <= ULP * angle
-                assert abs(values[2][k] - (clamp.y - want.y)) <= ULP * (5 * rod.length + largest(moved, "y"))
-                assert abs(values[3][k] - (clamp.z - want.z)) <= ULP * (5 * rod.length + largest(moved, "z"))
+                assert abs(values[0][k] - want.theta) <= 2 * ULP * angle
+                assert abs(values[2][k] - (clamp.y - want.y)) <= 2 * ULP * (5 * rod.length + largest(moved, "y"))
+                assert abs(values[3][k] - (clamp.z - want.z)) <= 2 * ULP * (5 * rod.length + largest(moved, "z"))
 
 
 def largest(moved, name):
