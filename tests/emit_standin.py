@@ -16,7 +16,7 @@ sin_tip = Symbol("sin_tip", real=True)
 _POLE = x_other + eta * plus * minus / 4
 
 
-def _formula(name, arguments, expression, case="parallel"):
+def _formula(name, arguments, expression, case="oblique"):
     return Formula(name, tuple(arguments), expression, f"tip.{name}", f"Stand-in for {name}", case, "wel12")
 
 

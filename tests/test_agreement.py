@@ -141,21 +141,21 @@ def test_rods_follow_the_case_and_the_scene() -> None:
 
 # Mutants: kernel file, what is changed, and why that is wrong.
 KERNEL_MUTANTS = [
-    pytest.param("agm", "+ b * r\n", "- b * r\n", id="a sign in root_ratios"),
-    pytest.param("agm", "pi / (2 * steps", "pi / (4 * steps", id="a factor of the half-period"),
-    pytest.param("shapes", "z = r * arc_z_each(", "z = arc_z_each(", id="a dropped factor before arc_z"),
-    pytest.param("shapes", "waves % 2 == 0", "waves % 2 == 1", id="the parity of the half-waves"),
-    pytest.param("shapes", "rod.length - s)", "s)", id="arc length from the wrong end"),
-    pytest.param("rods", "else swings + 1", "else swings", id="an index one too low"),
-    pytest.param("rods", "2 * crossing.turns - (1", "2 * crossing.turns + (1", id="an index two too high"),
-    pytest.param("rods", "turns * swing.square + sign", "turns * swing.square - sign", id="a sign in the energy"),
-    pytest.param("timing", "drive, clamp.one_minus, tip", "drive, clamp.one_plus, tip", id="a swapped argument"),
-    pytest.param("search", "(2 * shortest)) + 2", "(2 * shortest)) + 0", id="branches left out"),
-    pytest.param("search", "for sign in (1, -1) if turns", "for sign in (1,) if turns", id="half of the branches"),
-    pytest.param("equilibria", "-arc.z if rod", "arc.z if rod", id="a mirror image not mirrored"),
-    pytest.param(
-        "equilibria", "        gamma,\n        arc.y", "        -gamma,\n        arc.y", id="the sign of gamma"
-    ),
+    pytest.param("swing", "a, b, weight = total / 2", "a, b, weight = total / 4", id="a factor in Gauss's step"),
+    pytest.param("swing", "return pi / (2 * mean)", "return pi / (4 * mean)", id="a factor of the half-swing"),
+    pytest.param("swing", "first, small, 1 - small)", "first, 1 - small, small)", id="sine for cosine of the phase"),
+    pytest.param("shapes", "count % 2 == 1", "count % 2 == 0", id="the parity of the half-swings"),
+    pytest.param("shapes", "rod.length - ldexp(s, rod.scale)", "ldexp(s, rod.scale)", id="lengths from the wrong end"),
+    pytest.param("shapes", "-rod.side * sign * ldexp(speed", "rod.side * sign * ldexp(speed", id="a sign of θ′"),
+    pytest.param("equilibria", "else swings + 1", "else swings", id="an index one too low"),
+    pytest.param("equilibria", "2 * crossing.turns - (1", "2 * crossing.turns + (1", id="an index two too high"),
+    pytest.param("equilibria", "2 * beta * y - square", "2 * beta * y + square", id="a sign in the energy"),
+    pytest.param("equilibria", "rod.side * ldexp(z, -scale)", "ldexp(z, -scale)", id="a mirror image not mirrored"),
+    pytest.param("equilibria", "ldexp(gamma, 2 * scale)", "-ldexp(gamma, 2 * scale)", id="the sign of gamma"),
+    pytest.param("equilibria", "both * a + sign * b", "both * a - sign * b", id="an arc on the wrong side"),
+    pytest.param("search", "else (1, -1)\n", "else (1,)\n", id="half of the branches"),
+    pytest.param("search", "+ sign * item.arrival - length", "- sign * item.arrival - length", id="the other branch"),
+    pytest.param("landscape", "eta - beta", "eta + beta", id="wells in the wrong place"),
     pytest.param("api", "array([case for case", "array([case + 1 for case", id="cases of a sweep one too high"),
     pytest.param("api", "[item.y for _, item", "[item.z for _, item", id="a column of a sweep for another"),
 ]
@@ -217,9 +217,9 @@ def test_a_wrong_formula_is_refused() -> None:
 @pytest.mark.parametrize(
     ("formula", "old", "new"),
     [
-        ("arc_z", "return sin_tip * ", "return "),
-        ("arc_length", "return rf(x_plus, x_minus", "return rf(x_plus, x_plus"),
-        ("point_plus", "def point_plus(plus, drive, one_minus, drop)", "def point_plus(plus, drive, drop, one_minus)"),
+        ("gauss_square", "return square * total * total /", "return square * total /"),
+        ("gauss_square", "def gauss_square(square, total, below)", "def gauss_square(square, below, total)"),
+        ("gauss_rest", "second * second) / (delta", "second * second) / (2 * delta"),
     ],
 )
 def test_a_dropped_factor_or_a_swapped_argument_is_refused(formula: str, old: str, new: str) -> None:

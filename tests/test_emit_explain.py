@@ -41,9 +41,9 @@ def test_what_is_left_out_is_said_and_written(scene: Path, capsys: pytest.Captur
     for module in modules:
         reasons = {(one["kind"], one["name"]): one["reason"] for one in module["absent"]}
         assert reasons["function", "sweep"] == "not wanted: output sweep"
-        assert reasons["field", "Equilibrium.tip"] == "not wanted: output shape"
+        assert reasons["field", "Equilibrium.rod"] == "not wanted: output shape or literal"
         assert reasons["parameter", "equilibria(length)"] == "folded: length = 80"
-        assert reasons["function", "double_well"] == "decided by eta = 0"
+        assert reasons["function", "oblique_landscape"] == "decided by eta = 0"
         for key in ("functions", "lines", "bytes"):
             assert 0 < module["size"][key] < module["full_size"][key]
         times = module["size"]["import_ms"]
@@ -54,7 +54,7 @@ def test_what_is_left_out_is_said_and_written(scene: Path, capsys: pytest.Captur
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (["paralell"], "no scene 'paralell'; did you mean 'parallel'? possible: field_only, force_only, parallel"),
+        (["paralell"], "no scene 'paralell'; did you mean 'parallel'? possible: bifurcation, field_only, "),
         (["nowhere.toml"], "nowhere.toml: cannot be read"),
         (["parallel", "--check"], "--explain writes no module"),
         (["parallel", "--out", "here"], "--explain writes no module"),
