@@ -172,7 +172,7 @@ def check_first_integral(rod: Rod, found: list[Any]) -> None:
         assert one.clamp_curvature**2 + rod.eta * cos(rod.clamp_angle) ** 2 == pytest.approx(gamma, abs=1e-13)
 
 
-@pytest.mark.long
+@pytest.mark.hours
 def test_some_of_them_are_those_of_the_reference() -> None:
     rod, found = many(1000.0)
     offsets = []

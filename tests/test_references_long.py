@@ -207,7 +207,7 @@ def test_folds_are_looked_for_only_where_numbers_differ() -> None:
         fold(rod, "length", 1.0, 2.0)
 
 
-@pytest.mark.long
+@pytest.mark.hours
 @pytest.mark.parametrize("length", [1000.0, 8000.0])
 def test_very_long_rods(length: float) -> None:
     rod, guess = lingering(Rod(0.0, 1.0, length, 0.0), -1.5 * length)

@@ -150,7 +150,7 @@ def test_an_error_is_measured_in_both_units() -> None:
     assert not wrong_in_kind(parallel_numpy.equilibria(0.5, 0.5, 3.0, 1.0), 1)
 
 
-@pytest.mark.long
+@pytest.mark.hours
 @pytest.mark.parametrize("name", SUITES)
 @pytest.mark.parametrize("case", CASES)
 def test_whole_suites(name: str, case: str) -> None:

@@ -8,6 +8,7 @@ integral. All terms are positive, in the step and where it is undone; angles ent
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
 from sympy import Expr, Symbol, diff, oo, sin, sqrt, symbols
 
@@ -278,7 +279,7 @@ def _write_back(step: Phase, writer: Writer) -> None:
             arguments,
             expression,
             f"{doc}: Gauss's step undone",
-            lambda value, known=known: undone(value, known),
+            partial(undone, known=known),
             PHASE,
             steps=("gauss_square", "gauss_rest", *steps),
             source=source,

@@ -123,7 +123,7 @@ def _write_near(cubic: Expr, levels: Levels, turns: Turns, rod: HalfAngle, write
     there = cubic.subs(x, far_root).subs(values).subs(b, strength)
     excess = turns.excess + sin(half_width) * turns.balance / 2
     by_tip = values[q] + 3 * turns.at(-1) * cos(half_width) / 2
-    rests = ("far_root", "middle_excess", "tip_stiffness")
+    rests: tuple[str, ...] = ("far_root", "middle_excess", "tip_stiffness")
     writer.claim("excess_root", "R = q + 12ê₁ for two turning points", Equal(excess, by_tip), PAIR, steps=rests)
     turn = Equal(there, strength**2 * turns.balance / (2 * sin(half_width) ** 3))
     rests = ("far_root", "strength", "pair", "cubic")

@@ -8,6 +8,9 @@ sum, which is that of the Stoner–Wohlfarth astroid. Everywhere else both terms
 
 from __future__ import annotations
 
+from functools import partial
+from typing import Any
+
 from sympy import Add, Expr, Integer, Matrix, Rational, Symbol, atan, atan2, cos, diff, oo, pi, sin, sqrt, symbols, tan
 
 from .claims import Domain, Equal
@@ -107,6 +110,11 @@ def _height(sine: Expr, cosine: Expr) -> Expr:
     return sine / sin(beyond) + cosine / cos(beyond)
 
 
+def _at_both(value: Expr, side: int, there: Any) -> Equal:
+    """A value at one well, and the same or the negative at the other."""
+    return Equal(Matrix([value, side * value]), Matrix(there))
+
+
 def _claim_astroid(writer: Writer) -> None:
     """The least height, at tan³x = tan α, is (cos^{2/3}α + sin^{2/3}α)^{3/2}."""
     length = sqrt(root_cos**2 + root_sin**2)
@@ -181,7 +189,7 @@ def _write_tilted(levels: Levels, writer: Writer) -> None:
             (beta, eta),
             expression,
             f"{doc} at that angle; {'the negative' if side < 0 else 'the same'} at the well, the field along the force",
-            lambda value, there=there, side=side: Equal(Matrix([value, side * value]), Matrix(there)),
+            partial(_at_both, side=side, there=there),
             where,
             steps=(*steps, "tilt"),
         )

@@ -10,6 +10,7 @@ from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.block_records import rows
 from derive.emit.kernels.landscape_each import (
     RestEach,
+    astroid_cusp_each,
     has_second_pair_each,
     mirror_landscape_each,
     no_field_each,
@@ -21,11 +22,14 @@ from derive.emit.kernels.landscape_each import (
     parallel_alone_each,
     parallel_double_each,
     parallel_single_each,
+    ridge_couple_each,
 )
 from derive.emit.kernels.pieces_each import (
     clamp_in_each,
+    fall_each,
     level_ground_each,
     ranges_each,
+    reach_each,
     ridge_fall_each,
     ridge_ground_each,
 )
@@ -75,9 +79,26 @@ def groups(rods):
         for here, build in ranges_each(ground):
             which = flatnonzero(here & ~low)
             if which.size:
-                part = rows(some, which)
-                found.append(Group(part, clamp.turns[which], build(rows(ground, which))))
+                group = Group(rows(some, which), clamp.turns[which], build(rows(ground, which)))
+                dips = nearly_ridge(group.rods, group.piece)
+                doubtful.append(group.rods.case[dips])
+                if not dips.all():
+                    found.append(rows(group, ~dips))
     return found, straight, concatenate([zeros(0, dtype=int), *doubtful])
+
+
+def nearly_ridge(rods, piece):
+    """The ranges with a ridge that is not quite there: ``search.places``, whose closer samples are not taken here."""
+    basin = piece.basin
+    if basin.even or basin.passes or piece.low_kind == "level" or basin.far.quarters - basin.hill.quarters != 4:
+        return zeros(rods.case.shape, dtype=bool)
+    beta, eta, angle = rods.beta, rods.eta, abs(rods.field_angle)
+    side = astroid_cusp_each(angle)
+    missing = -ridge_couple_each(beta, eta, angle, side) / (beta + eta)
+    cusp = angle + pi + side if rods.field_angle > 0 else pi - angle - side
+    down = basin.well.angle - basin.hill.angle
+    rise = reach_each(eta, basin.hill, fall_each(eta, basin.hill, 0, cusp - basin.hill.angle), down, 1)
+    return (missing <= 0.3) & (rise > 0) & (rise < piece.width)
 
 
 def landscapes(rods):

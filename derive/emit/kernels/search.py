@@ -10,8 +10,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import ceil, deepest, epsilon, floor, inf, log, pi, sqrt
-from derive.emit.kernels.motion import Motion, motion_at
 from derive.emit.kernels.landscape import astroid_cusp, ridge_couple
+from derive.emit.kernels.motion import Motion, motion_at
 from derive.emit.kernels.pieces import fall, reach, slope
 from derive.emit.kernels.swing import times
 
@@ -144,7 +144,7 @@ def crossing(sample, turns, sign, length, before, after, beside):
 
 
 def places(beta, eta, field_angle, length, piece):
-    """Places to begin with, closer around the level at which the motion nearly meets a ridge that is not quite there."""
+    """Places to begin with, closer around the level at which the motion meets a ridge that is not quite there."""
     found, basin = grid(beta, eta, length, piece), piece.basin
     if basin.even or basin.passes or piece.low_kind == "level" or basin.far.quarters - basin.hill.quarters != 4:
         return found
@@ -317,7 +317,7 @@ def bracketed_root(function, places, values, blur):
 
 def interpolated(a, b, c, value_a, value_b, value_c):
     """Where on the way from a to b inverse quadratic interpolation puts the zero, or half way where it is unsafe."""
-    if value_c == value_b or value_c == value_a:
+    if value_c in (value_a, value_b):
         return 0.5
     x, y = (a - b) / (c - b), (value_a - value_b) / (value_c - value_b)
     if x <= 0 or y * y >= x or (1 - y) * (1 - y) >= 1 - x:

@@ -62,7 +62,7 @@ def lengths(a, b, square, rest):
 
     Gauss's transformation makes a and b equal (DLMF 19.8(i), 19.8(iii)); it is written in sums of positive terms only.
     """
-    limit, more = 2 * epsilon() ** 0.5, True
+    limit, more = 2 * epsilon() ** 0.5, any_of(a > 0)
     while more:
         more = any_of(abs(a - b) > limit * a)
         delta = phase_rate(a, b, square, rest)
@@ -75,7 +75,7 @@ def lengths(a, b, square, rest):
 
 def second_kind(a, b, square, rest, arrival):
     """(b² − a²)∫sin²ψ over the same range as ``arrival``, the length, by the same transformation (DLMF 19.8.19)."""
-    limit, more, weight, growth = 2 * epsilon() ** 0.5, True, 1, 0
+    limit, more, weight, growth = 2 * epsilon() ** 0.5, any_of(a > 0), 1, 0
     while more:
         more = any_of(abs(a - b) > limit * a)
         delta = phase_rate(a, b, square, rest)
