@@ -361,7 +361,7 @@ def test_equal_but_rewritten_text_is_proved():
 
 def test_kernel_formulas_are_emitted():
     text = formulas_text(THEORY)
-    general = [formula for formula in FORMULAS if formula.case == "parallel"]
+    general = [formula for formula in FORMULAS if formula.case == "oblique"]
     assert len(prove_formulas(text, general, "formulas.py")) == len(general)
     assert "rj(x_plus, x_minus, x_other, x_other + 0.25 * eta * plus * minus)" in text
     assert RJ(*symbols("x y z p")).has(RJ)
