@@ -14,7 +14,7 @@ Formulas, each proved equal to its derivation:
     point_pole (exsl22), pole_gap, rest_fall, rest_moment, rest_stiffness, rj_delta_imag (DLMF 19.26(iii)),
     rj_delta_real (DLMF 19.26(iii)), second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic,
     w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 e0ca2f6511b66d3d60390cc11c39deeb7ee8f9ff1a38644712f2ad7e66c0ee30
+Digest of the inputs: sha256 c8198f0204c321189c5b86dd899052e0902010443b79b55e8d62077d2c95c4a4
 """
 
 from __future__ import annotations
@@ -1216,7 +1216,7 @@ def lengths(a, b, square, rest):
 
     Gauss's transformation makes a and b equal (DLMF 19.8(i), 19.8(iii)); it is written in sums of positive terms only.
     """
-    limit, more = 2 * epsilon() ** 0.5, True
+    limit, more = 2 * epsilon() ** 0.5, any_of(a > 0)
     while more:
         more = any_of(abs(a - b) > limit * a)
         delta = phase_rate(a, b, square, rest)
@@ -1316,7 +1316,7 @@ def ridge_couple(eta):
 
 
 def places(beta, eta, length, piece):
-    """Places to begin with, closer around the level at which the motion nearly meets a ridge that is not quite there."""
+    """Places to begin with, closer around the level at which the motion meets a ridge that is not quite there."""
     found, basin = grid(beta, eta, length, piece), piece.basin
     if basin.even or basin.passes or piece.low_kind == "level" or basin.far.quarters - basin.hill.quarters != 4:
         return found
@@ -1412,7 +1412,7 @@ def excess(item, turns, sign, length):
 
 def interpolated(a, b, c, value_a, value_b, value_c):
     """Where on the way from a to b inverse quadratic interpolation puts the zero, or half way where it is unsafe."""
-    if value_c == value_b or value_c == value_a:
+    if value_c in (value_a, value_b):
         return 0.5
     x, y = (a - b) / (c - b), (value_a - value_b) / (value_c - value_b)
     if x <= 0 or y * y >= x or (1 - y) * (1 - y) >= 1 - x:
@@ -1564,7 +1564,7 @@ def kink_at(first, second, point, root, q, m, square, rest):
 
 def second_kind(a, b, square, rest, arrival):
     """(b² − a²)∫sin²ψ over the same range as ``arrival``, the length, by the same transformation (DLMF 19.8.19)."""
-    limit, more, weight, growth = 2 * epsilon() ** 0.5, True, 1, 0
+    limit, more, weight, growth = 2 * epsilon() ** 0.5, any_of(a > 0), 1, 0
     while more:
         more = any_of(abs(a - b) > limit * a)
         delta = phase_rate(a, b, square, rest)

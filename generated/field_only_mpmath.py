@@ -18,7 +18,7 @@ Formulas, each proved equal to its derivation:
     second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic, turn_level, turn_over (DLMF 4.21(iii)),
     turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
     w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 0908a1eedfd1380e10e9c06e038c56ff2c4d99afed509bf9490f383e65436230
+Digest of the inputs: sha256 d418ceb7a32716a1e0d0436deeab9ef72b7eab6a47589bf8989807d11e6236a8
 """
 
 from __future__ import annotations
@@ -1338,7 +1338,7 @@ def lengths(a, b, square, rest):
 
     Gauss's transformation makes a and b equal (DLMF 19.8(i), 19.8(iii)); it is written in sums of positive terms only.
     """
-    limit, more = 2 * epsilon() ** 0.5, True
+    limit, more = 2 * epsilon() ** 0.5, any_of(a > 0)
     while more:
         more = any_of(abs(a - b) > limit * a)
         delta = phase_rate(a, b, square, rest)
@@ -1438,7 +1438,7 @@ def ridge_couple(eta):
 
 
 def places(eta, length, piece):
-    """Places to begin with, closer around the level at which the motion nearly meets a ridge that is not quite there."""
+    """Places to begin with, closer around the level at which the motion meets a ridge that is not quite there."""
     found, basin = grid(eta, length, piece), piece.basin
     if basin.even or basin.passes or piece.low_kind == "level" or basin.far.quarters - basin.hill.quarters != 4:
         return found
@@ -1534,7 +1534,7 @@ def excess(item, turns, sign, length):
 
 def interpolated(a, b, c, value_a, value_b, value_c):
     """Where on the way from a to b inverse quadratic interpolation puts the zero, or half way where it is unsafe."""
-    if value_c == value_b or value_c == value_a:
+    if value_c in (value_a, value_b):
         return 0.5
     x, y = (a - b) / (c - b), (value_a - value_b) / (value_c - value_b)
     if x <= 0 or y * y >= x or (1 - y) * (1 - y) >= 1 - x:
@@ -1686,7 +1686,7 @@ def kink_at(first, second, point, root, q, m, square, rest):
 
 def second_kind(a, b, square, rest, arrival):
     """(b² − a²)∫sin²ψ over the same range as ``arrival``, the length, by the same transformation (DLMF 19.8.19)."""
-    limit, more, weight, growth = 2 * epsilon() ** 0.5, True, 1, 0
+    limit, more, weight, growth = 2 * epsilon() ** 0.5, any_of(a > 0), 1, 0
     while more:
         more = any_of(abs(a - b) > limit * a)
         delta = phase_rate(a, b, square, rest)

@@ -18,7 +18,7 @@ Formulas, each proved equal to its derivation:
     second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic, turn_level, turn_over (DLMF 4.21(iii)),
     turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
     w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 5537e1e450a87c3392c7dc8461bf13a186f76eace0acde2ed56ae3bcb3768025
+Digest of the inputs: sha256 809a4be2be215c2d7eff213d6cb4b9ab31da8b3444c65ac126832719acc8aec4
 """
 
 from __future__ import annotations
@@ -1300,7 +1300,7 @@ def lengths(a, b, square, rest):
 
     Gauss's transformation makes a and b equal (DLMF 19.8(i), 19.8(iii)); it is written in sums of positive terms only.
     """
-    limit, more = 2 * epsilon() ** 0.5, True
+    limit, more = 2 * epsilon() ** 0.5, any_of(a > 0)
     while more:
         more = any_of(abs(a - b) > limit * a)
         delta = phase_rate(a, b, square, rest)
@@ -1400,7 +1400,7 @@ def ridge_couple(eta):
 
 
 def places(eta, length, piece):
-    """Places to begin with, closer around the level at which the motion nearly meets a ridge that is not quite there."""
+    """Places to begin with, closer around the level at which the motion meets a ridge that is not quite there."""
     found, basin = grid(eta, length, piece), piece.basin
     if basin.even or basin.passes or piece.low_kind == "level" or basin.far.quarters - basin.hill.quarters != 4:
         return found
@@ -1496,7 +1496,7 @@ def excess(item, turns, sign, length):
 
 def interpolated(a, b, c, value_a, value_b, value_c):
     """Where on the way from a to b inverse quadratic interpolation puts the zero, or half way where it is unsafe."""
-    if value_c == value_b or value_c == value_a:
+    if value_c in (value_a, value_b):
         return 0.5
     x, y = (a - b) / (c - b), (value_a - value_b) / (value_c - value_b)
     if x <= 0 or y * y >= x or (1 - y) * (1 - y) >= 1 - x:
@@ -1648,7 +1648,7 @@ def kink_at(first, second, point, root, q, m, square, rest):
 
 def second_kind(a, b, square, rest, arrival):
     """(b² − a²)∫sin²ψ over the same range as ``arrival``, the length, by the same transformation (DLMF 19.8.19)."""
-    limit, more, weight, growth = 2 * epsilon() ** 0.5, True, 1, 0
+    limit, more, weight, growth = 2 * epsilon() ** 0.5, any_of(a > 0), 1, 0
     while more:
         more = any_of(abs(a - b) > limit * a)
         delta = phase_rate(a, b, square, rest)

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/swing.py: do not edit, change that file.
 
-Digest of the inputs: sha256 b94197344dff951c7aabf06638dc7f7c0d685abcfd1a36c668934d5dbd92f11f
+Digest of the inputs: sha256 40b2cf776198f3b46a289955e4212f9e7fc088f906ba8542930beaa8048504c3
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ def lengths_each(a, b, square, rest):
 
     Gauss's transformation makes a and b equal (DLMF 19.8(i), 19.8(iii)); it is written in sums of positive terms only.
     """
-    limit, more = 2 * epsilon() ** 0.5, True
+    limit, more = 2 * epsilon() ** 0.5, any_of(a > 0)
     while more:
         more = any_of(each_abs(a - b) > limit * a)
         delta = phase_rate_each(a, b, square, rest)
@@ -81,7 +81,7 @@ def lengths_each(a, b, square, rest):
 
 def second_kind_each(a, b, square, rest, arrival):
     """(b² − a²)∫sin²ψ over the same range as ``arrival``, the length, by the same transformation (DLMF 19.8.19)."""
-    limit, more, weight, growth = 2 * epsilon() ** 0.5, True, 1, 0
+    limit, more, weight, growth = 2 * epsilon() ** 0.5, any_of(a > 0), 1, 0
     while more:
         more = any_of(each_abs(a - b) > limit * a)
         delta = phase_rate_each(a, b, square, rest)
