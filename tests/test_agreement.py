@@ -194,7 +194,13 @@ def test_a_scene_of_sweeps_alone_is_compared(trial: Any, backend: str, unit: flo
     assert any(line.startswith("sweep: y[0] is") for line in agreement(load(wrong), trial[:1], unit).reasons())
 
 
-@pytest.mark.parametrize(("file", "old", "new"), KERNEL_MUTANTS)
+@pytest.mark.parametrize(
+    ("file", "old", "new"),
+    [
+        pytest.param(*one.values, id=one.id, marks=[pytest.mark.hours] if k % 5 else [])
+        for k, one in enumerate(KERNEL_MUTANTS)
+    ],
+)
 def test_a_wrong_kernel_is_refused(trial: Any, file: str, old: str, new: str) -> None:
     kernels = read_kernels()
     assert kernels[file].count(old) >= 1, "the kernel has changed: mend the mutant"

@@ -73,6 +73,7 @@ def test_folds_lie_on_both_sides() -> None:
     assert numbers == {1, 3}
 
 
+@pytest.mark.hours
 @pytest.mark.parametrize("name", ["weak", "clamps", "discriminants", "gammas"])
 def test_todays_modules_run_on_hard_rods(name: str) -> None:
     found = hardness(parallel_numpy, suite(name, "parallel")[::23], most=3)
