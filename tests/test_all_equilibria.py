@@ -81,7 +81,7 @@ def test_shapes_solve_the_equation() -> None:
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("seed", [pytest.param(k, marks=[pytest.mark.hours] if k else []) for k in range(5)])
 def test_thousands_of_rods(seed: int) -> None:
     rods = random_rods(500, 100 + seed)
     check_counts(rods)

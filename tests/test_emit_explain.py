@@ -27,7 +27,7 @@ def scene(tmp_path: Path) -> Path:
     return path
 
 
-@pytest.mark.long
+@pytest.mark.hours
 def test_what_is_left_out_is_said_and_written(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
     before = {path: path.read_bytes() for path in default_folder().glob("*.py")}
     result = scene.parent / "result.json"

@@ -42,7 +42,7 @@ def test_the_wheel_is_complete(wheel: Path) -> None:
     assert not [name for name in names if name.startswith(("tests/", "templates/", "examples/"))]
 
 
-@pytest.mark.long
+@pytest.mark.hours
 def test_an_installed_wheel_emits_the_same_modules(wheel: Path, tmp_path: Path) -> None:
     venv.create(tmp_path / "venv", with_pip=True)
     binaries = tmp_path / "venv" / ("Scripts" if sys.platform == "win32" else "bin")
