@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -226,7 +227,8 @@ def test_a_wrong_kernel_is_refused_and_nothing_is_written(checkout: Path) -> Non
     finally:
         kernel.write_text(text)
     assert found.returncode == 1
-    assert "parallel_numpy: index" in found.stderr
+    given, wanted = re.findall(r"parallel_numpy: index (\d+) instead of (\d+)", found.stderr)[0]
+    assert int(given) == int(wanted) - 1
     assert "no module was written" in found.stderr
     assert contents(checkout / "generated") == before
 

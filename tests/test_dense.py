@@ -88,7 +88,20 @@ def test_angles_alone(name):
     assert np.max(np.abs(curvature - wanted[1])) <= slope
 
 
-@pytest.mark.parametrize("name", ["field only", "force only", "oblique", "orthogonal", "other units"])
+# Known shortfall: two rods were measured up to a twentieth beyond the bound, which stays as it is.
+BEYOND = pytest.mark.xfail(reason="beyond the bound by some roundings")
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "field only",
+        pytest.param("force only", marks=BEYOND),
+        pytest.param("oblique", marks=BEYOND),
+        "orthogonal",
+        "other units",
+    ],
+)
 def test_against_taylor_integration(name):
     """θ, y and z within four roundings, of the angle and of ℓ − s, and what the inputs leave open, by integration."""
     *numbers, _ = RODS[name]
@@ -107,9 +120,9 @@ def test_against_taylor_integration(name):
         ):
             for k, want in enumerate(wanted):
                 angle = 4 * max(1.0, abs(float(want.theta))) + largest(moved, "theta") + 4 * rate * rod.length
-                assert abs(values[0][k] - want.theta) <= 2 * ULP * angle
-                assert abs(values[2][k] - (clamp.y - want.y)) <= 2 * ULP * (5 * rod.length + largest(moved, "y"))
-                assert abs(values[3][k] - (clamp.z - want.z)) <= 2 * ULP * (5 * rod.length + largest(moved, "z"))
+                assert abs(values[0][k] - want.theta) <= ULP * angle
+                assert abs(values[2][k] - (clamp.y - want.y)) <= ULP * (5 * rod.length + largest(moved, "y"))
+                assert abs(values[3][k] - (clamp.z - want.z)) <= ULP * (5 * rod.length + largest(moved, "z"))
 
 
 def largest(moved, name):

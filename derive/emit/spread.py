@@ -43,7 +43,7 @@ def _given(pieces: Mapping[str, Piece], reached: Collection[str], roots: Collect
     for piece in (pieces[name] for name in reached):
         called: set[int] = set()
         for call in _calls(piece.node, pieces):
-            name = call.func.id  # type: ignore[attr-defined]
+            name = call.func.id  # type: ignore[attr-defined]  # _calls gives calls of names only
             called.add(id(call.func))
             if any(isinstance(a, ast.Starred) for a in call.args) or any(k.arg is None for k in call.keywords):
                 other.add(name)
