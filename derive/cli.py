@@ -15,6 +15,10 @@ PLACES = {
     "emit": "commands_emit",
     "explain": "commands_explain",
     "report": "commands_report",
+    "solve": "commands_solve",
+    "sweep": "commands_sweep",
+    "measure": "commands_measure",
+    "figures": "commands_figures",
 }
 NUMBERS = ("beta", "eta", "length", "clamp-angle", "field-angle")
 

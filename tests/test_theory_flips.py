@@ -2,6 +2,8 @@
 
 Each trial runs in a process of its own: one script is compiled with one sign flipped, the whole chain is derived from
 it, and every claim is tried at random points. A fixed sample of the flips is tried here, spread over all the scripts.
+A Domain says where a claim is tried, not what it says: a claim may well hold on the flipped domain too, so signs
+inside one are left alone.
 """
 
 from __future__ import annotations
@@ -27,11 +29,18 @@ SAMPLE = 48
 
 def signs(tree):
     """Every binary plus and minus and every unary minus, in a fixed order."""
+    hypotheses = {id(part) for node in ast.walk(tree) if is_domain(node) for part in ast.walk(node)}
     for node in ast.walk(tree):
+        if id(node) in hypotheses:
+            continue
         binary = isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub)
         unary = isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub)
         if unary or (binary and not is_text(node.left) and not is_text(node.right)):
             yield node
+
+
+def is_domain(node):
+    return isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "Domain"
 
 
 def is_text(node):

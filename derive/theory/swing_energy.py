@@ -39,6 +39,11 @@ PRODUCT = first**4 - root**2 + root * SUM
 LETTERS = {q: -4 * (root + SUM), m: 4 * (root * SUM + PRODUCT) / b, n: -4 * root * PRODUCT / b**2}
 
 
+def kept(part: Expr, swelling: Expr, run: Expr) -> Expr:
+    """What the letters q, m, n leave of the integral: of whole quantities, or of their derivatives along the rod."""
+    return -2 * (part + 4 * swelling + 2 * (first**2 - root) * run)
+
+
 def write_energy(place: Place, y: Expr, rod: HalfAngle, writer: Writer) -> None:
     """The part without integral in two forms, and the whole."""
     here = {
@@ -50,15 +55,15 @@ def write_energy(place: Place, y: Expr, rod: HalfAngle, writer: Writer) -> None:
     }
     _write_others(writer)
     _write_kink(here, writer)
-    kept = -2 * (kink + 4 * growth + 2 * (first**2 - root) * arc)
+    rest = kept(kink, growth, arc)
     writer.add(
         "arc_square",
         (beta, eta, cosine, aligned, first, root, arc, y_tip, kink, growth),
-        (beta * cosine + eta * aligned**2) * arc - beta * y_tip + kept,
+        (beta * cosine + eta * aligned**2) * arc - beta * y_tip + rest,
         "η∫cos²(θ − α)dσ from the tip to the point, by cos φ and cos(φ − α)",
         lambda value: Equal(
             in_rod(value.subs({cosine: cos(tip), aligned: cos(tip - field_angle), y_tip: y}), rod),
-            in_rod(BY_LETTERS + kept, rod),
+            in_rod(BY_LETTERS + rest, rod),
         ),
         anywhere(tip),
         given=((b, in_rod(p, rod) / 4),),
@@ -96,10 +101,10 @@ def _write_kink(here: dict[Symbol, Expr], writer: Writer) -> None:
     def slopes(value: Expr) -> Equal:
         # dS/dσ = 2 sin ψ cos ψ Δ; W grows by e^{iδ} − 1.
         along = diff(value.subs(here), square) * 2 * here[across] * here[delta]
-        kept = -2 * (along + 4 * (second**2 - first**2) * square + 2 * (first**2 - root))
+        rest = kept(along, (second**2 - first**2) * square, Integer(1))
         turns = {arc: Integer(1), w_real: COSINE - 1, w_imag: SINE}
         moved = (BY_LETTERS.subs(turns) - (eta + TWICE) / 2).subs(LETTERS).subs(x, here[pole])
-        return Equal(moved + kept, 0)
+        return Equal(moved + rest, 0)
 
     far = writer.add(
         "arc_kink",
