@@ -155,6 +155,11 @@ def folds(beta, length, clamp_angle, field_angle):
     return [motion(beta, 1, field_angle, clamp_angle) / length]
 
 
+def exchanges(length, clamp_angle, field_angle):
+    """Where they do otherwise."""
+    return folds(1, length, clamp_angle, field_angle)
+
+
 def literal(equilibrium, s):
     """The same in other words."""
     return equilibrium.tip_angle + s

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import json
+import re
 from dataclasses import replace
 from math import pi
 
@@ -292,6 +293,71 @@ def test_a_name_that_is_given_something_else_is_no_folded_constant(case, constan
     assert float(got.tip_angle) == pytest.approx(float(expected.tip_angle), rel=1e-13)
     assert ("field_angle" in special.text.split('"""', 2)[2]) == (case == "oblique")
     assert ("def reflected" in special.text) == (case == "oblique")
+
+
+# A kernel that goes on in other units under the parameters' own names, and one that counts on in them.
+REBOUND = SCALED.replace(
+    SCALED[SCALED.index("def motion(") : SCALED.index("def principal(")],
+    '''def motion(beta, eta, field_angle, angle, length):
+    """Both ways."""
+    scale = frexp(beta + eta + 1)[1] + 3
+    field = principal(field_angle)
+    beta, length = ldexp(beta, scale), ldexp(length, -scale)
+    rod = Rod(beta, ldexp(eta, scale), length, field, 1)
+    image = Rod(rod.beta, rod.eta, rod.length, reflected(field), -1)
+    return both(rod, angle) - 3 * both(image, -angle) + longer(length, beta)
+
+
+def longer(length, beta):
+    """The sum of some lengths."""
+    total = sum(length for length in (length, 2 * length))
+    length *= 3
+    length, first = pair(length, beta)
+    return total + length - first
+
+
+def pair(one, other):
+    """Both, halved."""
+    return one / 2, other / 2
+
+
+''',
+)
+
+
+@pytest.mark.parametrize("backend", ["numpy", "mpmath"])
+@pytest.mark.parametrize("constants", ["", 'length = "80"', 'beta = "1/3"\nlength = "80"', 'eta = "1/10"'])
+@pytest.mark.parametrize("case", list(CASES))
+def test_a_parameter_that_a_kernel_binds_anew_is_no_folded_constant(case, constants, backend):
+    if any(f"{name} =" in constants for name in CASES[case]):
+        return
+    api = KERNELS["api"].replace("clamp_angle) / length, (", "clamp_angle, length) / length, (")
+    files = {"motion": REBOUND, "motion_each": REBOUND.replace("angle):", "angle, length):"), "api": api}
+    for name, module in (("arithmetic", "math"), ("arithmetic_mpmath", "mpmath")):
+        files[name] = KERNELS[name].replace(f"from {module} import cos,", f"from {module} import cos, frexp, ldexp,")
+    wanted, sources = '["equilibria"]', {**KERNELS, **files}
+    special = emit_module(THEORY, scene_of(case, constants, wanted), backend, kernels=sources, instances={})
+    full = emit_module(THEORY, scene_of("oblique", outputs=wanted), backend, kernels=sources, instances={})
+    folded = {name: float(value) for name, value in scene_of(case, constants).folded.items()}
+    (expected,) = load(full.text).equilibria(**ROD | folded)
+    (got,) = load(special.text).equilibria(**{name: value for name, value in ROD.items() if name not in folded})
+    assert float(got.tip_angle) == pytest.approx(float(expected.tip_angle), rel=1e-13)
+
+
+@pytest.mark.parametrize("change", ["length = 2 * length", "length *= 2", "length, _ = divmod(length, 2)"])
+def test_an_output_that_binds_a_folded_parameter_anew_is_named_with_its_line(change):
+    api = KERNELS["api"].replace("    bottom = ", f"    {change}\n    bottom = ", 1)
+    line = api.splitlines().index(f"    {change}") + 1
+    place = re.escape(f"kernels/api.py:{line} (equilibria)")
+    with pytest.raises(EmitError, match=rf"{place}.*'length'.*length = 80.*another name"):
+        emitted("parallel", constants='length = "80"', kernels={"api": api}, outputs='["equilibria"]')
+
+
+def test_a_check_of_a_folded_parameter_leaves_with_it():
+    api = KERNELS["api"].replace("    bottom = ", "    length = float(length)\n    bottom = ", 1)
+    module = emitted("parallel", constants='length = "80"', kernels={"api": api}, outputs='["equilibria"]')
+    assert "float(length)" not in module.text
+    assert "/ 80.0" in module.text
 
 
 # Array instances

@@ -25,7 +25,7 @@ def case_text(scene: Scene) -> str:
 def public_names(scene: Scene, pieces: Mapping[str, Piece], names: Iterable[str]) -> list[str]:
     """The outputs and the classes of the interface, in the order that the linter wants."""
     classes = [name for name in names if pieces[name].kind == "class" and pieces[name].section == "interface"]
-    found = {*scene.outputs, *(name for name in classes if not name.startswith("_"))}
+    found = {*scene.functions, *(name for name in classes if not name.startswith("_"))}
     return sorted(found, key=lambda name: (not name.isupper(), not name[0].isupper(), name))
 
 

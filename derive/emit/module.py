@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import hashlib
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
@@ -72,8 +73,8 @@ def emit_module(
     slicer, names = _specialised(
         lambda kept: Slicer(known, formulas, general, scene.folded, common=common, kept=kept), scene, backend
     )
-    lower(names, slicer.pieces, backend, scene.outputs)
-    names = slicer.reach(scene.outputs)
+    lower(names, slicer.pieces, backend, scene.functions)
+    names = slicer.reach(scene.functions)
     used = tuple(piece.formula for name in names if (piece := slicer.pieces[name]).formula)
     digest = _digest(scene, backend, used, [slicer.pieces[name] for name in names], sources)
     text = render("module.py.jinja", _context(scene, backend, slicer.pieces, names, used, digest))
@@ -92,17 +93,27 @@ def _specialised(
     kept: set[tuple[str, str]] = set()
     while True:
         slicer = make(kept)
-        for output in scene.outputs:
-            if not isinstance(slicer.piece("api", output, f"scene '{scene.name}'"), str):
-                raise EmitError(f"kernels/api.py only imports '{output}'; define it there")
+        public = _begin(slicer, scene)
         if BACKENDS[backend].exact:
             slicer.piece(*DIGITS, f"scene '{scene.name}'")
         try:
-            return slicer, specialise(slicer, scene.outputs)
+            return slicer, specialise(slicer, scene.functions)
         except DifferentValueError as error:
-            if error.pairs <= kept or {owner for owner, _ in error.pairs} & set(scene.outputs):
+            if error.pairs <= kept or error.pairs & public:
                 raise
             kept |= error.pairs
+
+
+def _begin(slicer: Slicer, scene: Scene) -> set[tuple[str, str]]:
+    """Make the pieces that a scene reaches. The parameters of its outputs, which cannot be kept: (function, name)."""
+    public: set[tuple[str, str]] = set()
+    for name in scene.functions:
+        if not isinstance(slicer.piece("api", name, f"scene '{scene.name}'"), str):
+            raise EmitError(f"kernels/api.py only imports '{name}'; define it there")
+        node = slicer.pieces[name].node
+        if isinstance(node, ast.FunctionDef):
+            public |= {(name, one.arg) for one in (*node.args.args, *node.args.kwonlyargs)}
+    return public
 
 
 def _context(
@@ -115,7 +126,7 @@ def _context(
         "arithmetic": twin.title,
         "scene": scene.name,
         "case": case_text(scene),
-        "outputs": ", ".join(scene.outputs),
+        "outputs": ", ".join(scene.functions),
         "domain": domain_text(scene),
         "folded": ", ".join(f"{name} = {value}" for name, value in scene.constants.items()),
         "claims": fill(sorted({f"{f.name} ({f.source})" if f.source else f.name for f in used})),

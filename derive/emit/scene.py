@@ -16,6 +16,7 @@ from sympy import Expr, Integer, pi, srepr
 
 from derive.emit.constants import parse_constant
 from derive.emit.errors import SceneError, choices
+from derive.emit.scene_source import Source
 
 # Scene parameters, by the names they have in every kernel, and the sign that their domain gives them.
 PARAMETERS = {
@@ -66,32 +67,18 @@ class Scene:
         """The parameters that remain."""
         return tuple(name for name in PARAMETERS if name not in self.folded)
 
+    @property
+    def functions(self) -> tuple[str, ...]:
+        """The functions of the interface that the outputs are: folds come with the exchanges of folds as β grows."""
+        found = list(self.outputs)
+        if "folds" in found and "beta" in self.parameters:
+            found.insert(found.index("folds") + 1, "exchanges")
+        return tuple(found)
+
     def canonical(self) -> str:
         """What identifies the scene, for the digest of a module."""
         folded = ", ".join(f"{name}={srepr(value)}" for name, value in self.folded.items())
         return "\n".join([self.name, self.title, self.case, ",".join(self.outputs), folded])
-
-
-class _Source:
-    """The text of a scene file, to find the line of a key (tomllib keeps no lines)."""
-
-    def __init__(self, text: str, label: str) -> None:
-        self.lines = text.splitlines()
-        self.label = label
-
-    def error(self, message: str, section: str = "", key: str = "") -> SceneError:
-        """An error at the line of ``key`` in ``[section]``, else of the section, else of the file."""
-        return SceneError(f"{self.label}:{self._line(section, key)}", message)
-
-    def _line(self, section: str, key: str) -> int:
-        current, found = "", 1
-        for number, line in enumerate(self.lines, start=1):
-            if header := re.match(r"\s*\[+\s*([^\]]*?)\s*\]+", line):
-                current = header[1].strip("\"'")
-                found = number if current == section else found
-            elif key and current == section and re.match(rf"\s*[\"']?{re.escape(key)}[\"']?\s*[=.]", line):
-                return number
-        return found
 
 
 def load_scene(path: Path) -> Scene:
@@ -107,7 +94,7 @@ def load_scene(path: Path) -> Scene:
 
 def parse_scene(text: str, label: str = "scene") -> Scene:
     """The scene that ``text`` writes; ``label`` names the file in errors."""
-    source = _Source(text, label)
+    source = Source(text, label)
     try:
         data = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
@@ -125,6 +112,8 @@ def parse_scene(text: str, label: str = "scene") -> Scene:
         known = ", ".join(ARTICLE_CASES)
         message = f"the article has no formulas for case '{case}', so there is no output 'literal'; it has: {known}"
         raise source.error(message, "scene", "outputs")
+    if "folds" in outputs:
+        _check_folds(case, data.get("constants", {}), source)
     scene = Scene(
         name=_name(table["name"], source),
         title=str(table.get("title", table["name"])),
@@ -138,14 +127,25 @@ def parse_scene(text: str, label: str = "scene") -> Scene:
     return scene
 
 
-def _check_keys(data: dict[str, Any], possible: set[str], source: _Source) -> None:
+def _check_folds(case: str, constants: Any, source: Source) -> None:
+    """Folds are found over a range of η, which must then be a parameter."""
+    if "eta" in CASES[case]:
+        possible = ", ".join(name for name, fixed in CASES.items() if "eta" not in fixed)
+        message = f"case '{case}' has no field, and folds are found as it grows; drop 'folds', or choose: {possible}"
+        raise source.error(message, "scene", "outputs")
+    if isinstance(constants, dict) and "eta" in constants:
+        message = f"eta = {constants['eta']} is folded, and folds are found as it grows; drop it, or drop 'folds'"
+        raise source.error(message, "constants", "eta")
+
+
+def _check_keys(data: dict[str, Any], possible: set[str], source: Source) -> None:
     for key, value in data.items():
         if key not in possible:
             place = (key, "") if isinstance(value, dict) else ("", key)
             raise source.error(f"unknown table or key '{key}'{choices(key, possible)}", *place)
 
 
-def _check_types(table: Any, source: _Source) -> None:
+def _check_types(table: Any, source: Source) -> None:
     for key, value in table.items():
         if key not in _KEYS:
             raise source.error(f"unknown key '{key}' in [scene]{choices(key, _KEYS)}", "scene", key)
@@ -159,19 +159,19 @@ def _check_types(table: Any, source: _Source) -> None:
         raise source.error(f"[scene] lacks {', '.join(missing)}; required: {', '.join(_REQUIRED)}", "scene")
 
 
-def _name(name: str, source: _Source) -> str:
+def _name(name: str, source: Source) -> str:
     if not re.fullmatch(r"[a-z][a-z0-9_]*", name):
         raise source.error(f"name '{name}' must be lower-case letters, digits and underscores", "scene", "name")
     return name
 
 
-def _one_of(value: str, possible: Any, key: str, source: _Source) -> str:
+def _one_of(value: str, possible: Any, key: str, source: Source) -> str:
     if value not in possible:
         raise source.error(f"unknown {key} '{value}'{choices(value, possible)}", "scene", key)
     return value
 
 
-def _some_of(values: list[Any], possible: tuple[str, ...], key: str, source: _Source) -> tuple[str, ...]:
+def _some_of(values: list[Any], possible: tuple[str, ...], key: str, source: Source) -> tuple[str, ...]:
     for value in values:
         if value not in possible:
             raise source.error(f"unknown value {value!r} in {key}{choices(str(value), possible)}", "scene", key)
@@ -180,7 +180,7 @@ def _some_of(values: list[Any], possible: tuple[str, ...], key: str, source: _So
     return tuple(value for value in possible if value in values)
 
 
-def _constants(table: Any, case: str, source: _Source) -> dict[str, Expr]:
+def _constants(table: Any, case: str, source: Source) -> dict[str, Expr]:
     if not isinstance(table, dict):
         raise source.error("[constants] must be a table", "", "constants")
     implied = CASES[case]
@@ -193,7 +193,7 @@ def _constants(table: Any, case: str, source: _Source) -> dict[str, Expr]:
     return {key: _constant(key, table[key], source) for key in possible if key in table}
 
 
-def _constant(key: str, text: Any, source: _Source) -> Expr:
+def _constant(key: str, text: Any, source: Source) -> Expr:
     try:
         value = parse_constant(text)
     except ValueError as error:

@@ -16,7 +16,9 @@ from derive.emit.drop import drop_parameters
 from derive.emit.errors import DifferentValueError, EmitError
 from derive.emit.fold import fold, fold_inside
 from derive.emit.folded_calls import drop_folded, fix_formulas
+from derive.emit.kernel_files import Definition
 from derive.emit.pieces import Piece, bound_names
+from derive.emit.rebound import rebound
 from derive.emit.slice import Slicer
 from derive.emit.spread import spread
 from derive.emit.tidy import constant_locals, prune, sweep
@@ -86,15 +88,26 @@ def _fold(slicer: Slicer, piece: Piece) -> None:
     kept = slicer.kept_fields()
     fields = {name: value for name, value in slicer.folded.items() if name not in kept}
     modules = {name for name, origin in piece.names.items() if isinstance(origin, External) and origin.name is None}
-    # A folded name that the function assigns (eta = float(eta)) is swept before its loads are replaced.
-    assigned = bound_names(piece.node) & set(values)
-    for name in sorted(assigned):
-        place = f"kernels/{piece.file}.py ({piece.name})"
-        try:
-            piece.node = sweep(piece.node, {name}, _pure(pieces), place, strict=True)
-        except EmitError as error:  # the name stands for something else here
-            raise DifferentValueError(str(error), [(piece.name, name)]) from error
-    piece.node = fold(piece.node, values, fields, modules | set(MODULE_ALIASES.values()))
+    modules |= set(MODULE_ALIASES.values())
+    if isinstance(piece.node, ast.FunctionDef):
+        _refuse_rebound(slicer, piece, values, rebound(piece.node, values, fields, modules))
+        # What says a folded value again (eta = float(eta)) goes before its loads are replaced.
+        piece.node = sweep(piece.node, bound_names(piece.node) & set(values), _pure(pieces))
+    piece.node = fold(piece.node, values, fields, modules)
+
+
+def _refuse_rebound(slicer: Slicer, piece: Piece, values: Mapping[str, Any], lines: Mapping[str, int]) -> None:
+    """Names that the function binds to something else are no constants in it."""
+    if not lines:
+        return
+    name = min(lines, key=lambda one: (lines[one], one))
+    found = slicer.kernels.lookup(piece.file, piece.name)
+    file = found.file if isinstance(found, Definition) else piece.file
+    raise DifferentValueError(
+        f"kernels/{file}.py:{lines[name]} ({piece.name}): '{name}' is bound to something else than the folded "
+        f"{name} = {values[name]}; an output must give that another name",
+        [(piece.name, one) for one in lines],
+    )
 
 
 _PURE = frozenset(
@@ -125,7 +138,7 @@ def _sweep(piece: Piece, pieces: Mapping[str, Piece]) -> None:
     stored = {n.id for n in ast.walk(piece.node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
     unread = (stored - loaded) & piece.read
     if unread:
-        piece.node = sweep(piece.node, unread, _pure(pieces), piece.name)
+        piece.node = sweep(piece.node, unread, _pure(pieces))
         piece.node.body = piece.node.body or [ast.Pass()]
 
 

@@ -8,7 +8,6 @@ from typing import Any
 
 import sympy
 
-from derive.emit.errors import EmitError
 from derive.emit.values import Exact
 
 _ENDS = (ast.Return, ast.Raise, ast.Continue, ast.Break)
@@ -62,9 +61,9 @@ def prune(node: Any) -> Any:
     return _Pruner().visit(node)
 
 
-def sweep(node: Any, names: Collection[str], pure: Collection[str], place: str, *, strict: bool = False) -> Any:
-    """``node`` without assignments to ``names`` that call ``pure`` functions only; if ``strict``, others are errors."""
-    return _Sweeper(names, pure, place, strict=strict).visit(node)
+def sweep(node: Any, names: Collection[str], pure: Collection[str]) -> Any:
+    """``node`` without assignments to ``names`` that call ``pure`` functions only."""
+    return _Sweeper(names, pure).visit(node)
 
 
 def _cut(body: list[ast.stmt]) -> list[ast.stmt]:
@@ -108,8 +107,8 @@ def _pairs(node: ast.Assign) -> list[tuple[str, ast.expr]]:
 class _Sweeper(ast.NodeTransformer):
     """Removes assignments to ``names`` whose values have no effect of their own."""
 
-    def __init__(self, names: Collection[str], pure: Collection[str], place: str, *, strict: bool = False) -> None:
-        self.names, self.pure, self.place, self.strict = names, pure, place, strict
+    def __init__(self, names: Collection[str], pure: Collection[str]) -> None:
+        self.names, self.pure = names, pure
 
     def visit_Assign(self, node: ast.Assign) -> Any:
         if len(node.targets) != 1:
@@ -145,11 +144,7 @@ class _Sweeper(ast.NodeTransformer):
         return self._gone(node, node.value) if named and node.value is not None else node
 
     def _gone(self, node: ast.stmt, value: ast.expr) -> Any:
-        if self._free(value):
-            return None
-        if self.strict:
-            raise EmitError(f"{self.place}: a folded parameter is assigned a value with effects; use another name")
-        return node
+        return None if self._free(value) else node
 
     def _free(self, value: ast.expr) -> bool:
         """Whether leaving ``value`` out changes nothing else: it calls pure functions only."""
