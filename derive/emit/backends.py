@@ -112,12 +112,8 @@ SECTIONS = {
     "solver": "Solver",
     "interface": "Interface",
 }
-RESULTS = (
-    "Equilibrium",
-    "Shape",
-    "Sweep",
-    "Folds",
-)  # classes of what the outputs return, wherever a kernel defines them
+# Classes of what the outputs return, wherever a kernel defines them.
+RESULTS = ("Equilibrium", "Shape", "Sweep", "Fold", "Exchange")
 # By what a result is known to the caller. Its other fields are carried for further outputs.
 KNOWN_BY = {"Equilibrium": ("tip_angle", "clamp_curvature", "gamma", "y", "z", "energy", "index")}
 FILE_SECTIONS = {

@@ -1,4 +1,4 @@
-"""What an emitted module offers: equilibria, shape, sweep, literal."""
+"""What an emitted module offers: equilibria, shape, sweep, folds, exchanges, literal."""
 
 from __future__ import annotations
 
@@ -11,7 +11,10 @@ from derive.emit.kernels.arguments import all_real, index_limit, many_rods, not_
 from derive.emit.kernels.arithmetic import real
 from derive.emit.kernels.dense import shape_at
 from derive.emit.kernels.equilibria import Equilibrium, all_equilibria, length_of
+from derive.emit.kernels.exchanges import Exchange, all_exchanges
+from derive.emit.kernels.folds import Fold, all_folds
 from derive.emit.kernels.literal import angle_and_position_literally
+from derive.emit.kernels.spans import span
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,3 +109,37 @@ def sweep(beta, eta, length, clamp_angle, field_angle, *, max_index=None) -> Swe
         np.array([item.energy for _, item in found], dtype=float),
         np.array([item.index for _, item in found], dtype=int),
     )
+
+
+def folds(beta, length, clamp_angle, field_angle, *, eta) -> list[Fold]:
+    """Where equilibria of a rod meet and vanish as the field grows: every fold with η in a range, sorted by η.
+
+    beta: terminal force over bending stiffness, F/(EI) ≥ 0.
+    length: length of the rod, > 0.
+    clamp_angle: θ(0), the angle from the y axis to the tangent at the clamp, in radians.
+    field_angle: α, the angle from the y axis to the field, in radians.
+
+    ``eta`` is the range (low, high) of the magnetic modulus over bending stiffness, 0 ≤ low < high.
+
+    All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
+    """
+    beta, length = not_negative("beta", beta), positive("length", length)
+    clamp_angle, field_angle = real("clamp_angle", clamp_angle), real("field_angle", field_angle)
+    return all_folds(beta, length, clamp_angle, field_angle, *span("eta", eta))
+
+
+def exchanges(length, clamp_angle, field_angle, *, beta, eta) -> list[Exchange]:
+    """Where two folds meet as the force grows: the diagram over η changes there. Those in a range, sorted by β and η.
+
+    length: length of the rod, > 0.
+    clamp_angle: θ(0), the angle from the y axis to the tangent at the clamp, in radians.
+    field_angle: α, the angle from the y axis to the field, in radians.
+
+    ``beta`` and ``eta`` are the ranges (low, high) of the terminal force and the magnetic modulus over bending
+    stiffness, 0 ≤ low < high.
+
+    All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
+    """
+    length = positive("length", length)
+    clamp_angle, field_angle = real("clamp_angle", clamp_angle), real("field_angle", field_angle)
+    return all_exchanges(length, clamp_angle, field_angle, *span("beta", beta), *span("eta", eta))

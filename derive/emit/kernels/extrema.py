@@ -16,7 +16,7 @@ from derive.emit.kernels.variations import Change, rates_of_times
 # Branches whose extremum is further from the rod's length than this share of it are not looked at.
 WINDOW = 0.5
 # Between neighbouring samples the length is a cubic but for this share of the rod's, or they are nearer than the other.
-COARSE = 0.02
+ROUGH = 0.02
 FINEST = 0.4
 
 
@@ -108,7 +108,7 @@ def dense(sample, samples, length):
         arrival = after.arrival - before.arrival - width * (after.arrival_rate + before.arrival_rate) / 2
         least = min(before.swing, after.swing)
         miss = abs(arrival) + (length / least * abs(swing) if length > least else 0)
-        if width > FINEST and miss > COARSE * length:
+        if width > FINEST and miss > ROUGH * length:
             todo.append(sample((before.place + after.place) / 2))
         else:
             done.append(todo.pop())
