@@ -48,10 +48,18 @@ def bound_names(node: ast.AST) -> set[str]:
     """Names that a function binds: parameters, assignments, loop variables, nested definitions. None for a constant."""
     if not isinstance(node, (ast.FunctionDef, ast.ClassDef)):
         return set()
-    found = {n.id for n in ast.walk(node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
-    found |= {n.arg for n in ast.walk(node) if isinstance(n, ast.arg)}
-    found |= {n.name for n in ast.walk(node) if isinstance(n, ast.ExceptHandler) and n.name}
-    return found | {n.name for n in ast.walk(node) if isinstance(n, ast.FunctionDef) and n is not node}
+    found: set[str] = set()
+    for part in ast.walk(node):
+        match part:
+            case ast.Name(ctx=ast.Store()):
+                found.add(part.id)
+            case ast.arg():
+                found.add(part.arg)
+            case ast.ExceptHandler(name=str(name)):
+                found.add(name)
+            case ast.FunctionDef() if part is not node:
+                found.add(part.name)
+    return found
 
 
 def parameters_of(node: ast.stmt) -> tuple[str, ...]:

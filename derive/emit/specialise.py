@@ -7,7 +7,7 @@ slicing again. The result says the same as the general kernels at the folded val
 from __future__ import annotations
 
 import ast
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
 from derive.emit.backends import MODULE_ALIASES, External
@@ -31,8 +31,7 @@ def specialise(slicer: Slicer, roots: Sequence[str]) -> list[str]:
     """Fold the slicer's constants into its pieces, in place; the names still reached, in order."""
     pieces = slicer.pieces
     kernels = {name: piece for name, piece in pieces.items() if piece.kind != "formula"}
-    for piece in kernels.values():
-        _fold(slicer, piece)
+    _fold(slicer, kernels.values())
     if slicer.folded:
         _settle(kernels, pieces)
     fix_formulas(slicer)
@@ -53,13 +52,18 @@ def specialise(slicer: Slicer, roots: Sequence[str]) -> list[str]:
 
 def _settle(kernels: Mapping[str, Piece], pieces: Mapping[str, Piece]) -> None:
     """Work out what the values in the pieces decide, until nothing changes."""
+    known, settled = None, set[str]()
     for _ in range(_ROUNDS):
-        before = _forms(kernels)
         constant = {name: value for name, piece in pieces.items() if (value := _constant(piece)) is not None}
-        for piece in list(kernels.values()):
-            _round(piece, constant, pieces)
-        if _forms(kernels) == before:
+        if constant != known:
+            known, settled = constant, set()
+        if len(settled) == len(kernels):
             return
+        for name in [name for name in kernels if name not in settled]:
+            before = ast.dump(kernels[name].node)
+            _round(kernels[name], constant, pieces)
+            if ast.dump(kernels[name].node) == before:
+                settled.add(name)
 
 
 def _constant(piece: Piece) -> Any:
@@ -76,37 +80,38 @@ def _take_in(slicer: Slicer, kernels: dict[str, Piece]) -> None:
     for name, piece in slicer.pieces.items():
         if piece.kind != "formula" and name not in kernels:
             kernels[name] = piece
-            _fold(slicer, piece)
+            _fold(slicer, [piece])
 
 
 def _forms(pieces: Mapping[str, Piece]) -> list[str]:
     return [ast.dump(piece.node) for piece in pieces.values()]
 
 
-def _fold(slicer: Slicer, piece: Piece) -> None:
-    values, pieces = slicer.constants(piece), slicer.pieces
+def _fold(slicer: Slicer, pieces: Collection[Piece]) -> None:
+    """Put the folded values into pieces, which must not bind their names to something else."""
     kept = slicer.kept_fields()
     fields = {name: value for name, value in slicer.folded.items() if name not in kept}
-    modules = {name for name, origin in piece.names.items() if isinstance(origin, External) and origin.name is None}
-    modules |= set(MODULE_ALIASES.values())
-    if isinstance(piece.node, ast.FunctionDef):
-        _refuse_rebound(slicer, piece, values, rebound(piece.node, values, fields, modules))
-        # What says a folded value again (eta = float(eta)) goes before its loads are replaced.
-        piece.node = sweep(piece.node, bound_names(piece.node) & set(values), _pure(pieces))
-    piece.node = fold(piece.node, values, fields, modules)
+    refused: dict[tuple[str, str], str] = {}
+    for piece in pieces:
+        values = slicer.constants(piece)
+        imported = {one for one, origin in piece.names.items() if isinstance(origin, External) and origin.name is None}
+        modules = imported | set(MODULE_ALIASES.values())
+        if isinstance(piece.node, ast.FunctionDef):
+            for name, line in rebound(piece.node, values, fields, modules).items():
+                refused[piece.name, name] = _refusal(slicer, piece, name, line)
+            # What says a folded value again (eta = float(eta)) goes before its loads are replaced.
+            piece.node = sweep(piece.node, bound_names(piece.node) & set(values), _pure(slicer.pieces))
+        piece.node = fold(piece.node, values, fields, modules)
+    if refused:
+        raise DifferentValueError(next(iter(refused.values())), refused)
 
 
-def _refuse_rebound(slicer: Slicer, piece: Piece, values: Mapping[str, Any], lines: Mapping[str, int]) -> None:
-    """Names that the function binds to something else are no constants in it."""
-    if not lines:
-        return
-    name = min(lines, key=lambda one: (lines[one], one))
+def _refusal(slicer: Slicer, piece: Piece, name: str, line: int) -> str:
     found = slicer.kernels.lookup(piece.file, piece.name)
     file = found.file if isinstance(found, Definition) else piece.file
-    raise DifferentValueError(
-        f"kernels/{file}.py:{lines[name]} ({piece.name}): '{name}' is bound to something else than the folded "
-        f"{name} = {values[name]}; an output must give that another name",
-        [(piece.name, one) for one in lines],
+    return (
+        f"kernels/{file}.py:{line} ({piece.name}): '{name}' is bound to something else than the folded "
+        f"{name} = {slicer.folded[name]}; an output must give that another name"
     )
 
 
@@ -134,9 +139,9 @@ def _sweep(piece: Piece, pieces: Mapping[str, Piece]) -> None:
     """Remove assignments that folding has left unread; what the author left unread stays."""
     if not isinstance(piece.node, ast.FunctionDef):
         return
-    loaded = {n.id for n in ast.walk(piece.node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load)}
-    stored = {n.id for n in ast.walk(piece.node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
-    unread = (stored - loaded) & piece.read
+    names = [n for n in ast.walk(piece.node) if isinstance(n, ast.Name)]
+    loaded = {n.id for n in names if isinstance(n.ctx, ast.Load)}
+    unread = ({n.id for n in names if isinstance(n.ctx, ast.Store)} - loaded) & piece.read
     if unread:
         piece.node = sweep(piece.node, unread, _pure(pieces))
         piece.node.body = piece.node.body or [ast.Pass()]

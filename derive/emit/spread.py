@@ -25,15 +25,20 @@ def spread(slicer: Slicer, roots: Collection[str]) -> None:
     """Fold, in place, what every call gives as the same value, and drop it from signatures, fields and calls."""
     pieces, reached = slicer.pieces, slicer.reach(roots)
     fields = _fields(pieces, reached)
+    drops: dict[str, tuple[str, ...]] = {}  # of functions, all at once: every drop looks at every call
     for name, given in _given(pieces, reached, roots).items():
         piece = pieces[name]
         same = {key: value for key, value in given.items() if key in piece.parameters}
         if piece.formula:
             _fix(slicer, name, same)
         elif piece.kind == "function":
-            _fold_parameters(pieces, piece, {key: v for key, v in same.items() if _is_read_only(piece.node, key)})
+            same = {key: value for key, value in same.items() if _is_read_only(piece.node, key)}
+            fold_inside(piece.node, same, {}, _MODULES)
+            drops[name] = tuple(same)
         elif piece.kind == "class":
             _fold_fields(pieces, reached, name, {key: v for key, v in same.items() if fields.get(key) == 1})
+    if drops := {name: gone for name, gone in drops.items() if gone}:
+        drop_parameters(pieces, drops)
 
 
 def _given(pieces: Mapping[str, Piece], reached: Collection[str], roots: Collection[str]) -> dict[str, dict[str, Any]]:
@@ -86,12 +91,6 @@ def _is_read_only(node: ast.AST, name: str) -> bool:
     """Whether a function's parameter is neither assigned in it nor hidden by a parameter of an inner function."""
     stores = any(isinstance(n, ast.Name) and n.id == name and not isinstance(n.ctx, ast.Load) for n in ast.walk(node))
     return not stores and sum(isinstance(n, ast.arg) and n.arg == name for n in ast.walk(node)) == 1
-
-
-def _fold_parameters(pieces: Mapping[str, Piece], piece: Piece, values: Mapping[str, Any]) -> None:
-    if values:
-        fold_inside(piece.node, values, {}, _MODULES)
-        drop_parameters(pieces, {piece.name: tuple(values)})
 
 
 def _fields(pieces: Mapping[str, Piece], reached: Collection[str]) -> Counter[str]:

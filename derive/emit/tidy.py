@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from collections import Counter
 from collections.abc import Collection
 from typing import Any
 
@@ -80,14 +81,15 @@ def _block(body: list[ast.stmt]) -> list[ast.stmt]:
 
 def constant_locals(function: ast.AST) -> dict[str, Any]:
     """Locals that are assigned once in the whole function, to a folded value."""
-    stores = [n.id for n in ast.walk(function) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)]
-    taken = {n.arg for n in ast.walk(function) if isinstance(n, ast.arg)}
-    taken |= {name for n in ast.walk(function) if isinstance(n, (ast.Global, ast.Nonlocal)) for name in n.names}
+    nodes = list(ast.walk(function))
+    stores = Counter(n.id for n in nodes if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store))
+    taken = {n.arg for n in nodes if isinstance(n, ast.arg)}
+    taken |= {name for n in nodes if isinstance(n, (ast.Global, ast.Nonlocal)) for name in n.names}
     found: dict[str, Any] = {}
-    for node in ast.walk(function):
+    for node in nodes:
         if isinstance(node, ast.Assign):
             for target, value in _pairs(node):
-                once = stores.count(target) == 1 and target not in taken
+                once = stores[target] == 1 and target not in taken
                 if once and isinstance(value, Exact):
                     found[target] = value.value
     return found
