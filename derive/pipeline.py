@@ -144,14 +144,25 @@ def emit_modules(runner: Runner, job: Job, tasks: Sequence[Task]) -> None:
 def run_modules(runner: Runner, job: Job) -> None:
     """Run every module against the references of its load case."""
     wanted = {module["name"]: reference_tasks(runner, module) for module in job.modules}
-    known = {task.key: task for tasks in wanted.values() for task in tasks}
+    folds = {module["name"]: fold_tasks(module, len(wanted[module["name"]])) for module in job.modules}
+    known = {task.key: task for tasks in (*wanted.values(), *folds.values()) for task in tasks}
     answers = dict(zip(known, runner.results(list(known.values())), strict=True))
     tasks = []
     for module in job.modules:
-        rods = [answers[task.key] for task in wanted[module["name"]]]
-        inputs = (module["text"], module["backend"], rods)
-        tasks.append(Task("agreement", module["name"], stages.agree, inputs, stages.AGREEMENT))
+        name, rods = module["name"], [answers[task.key] for task in wanted[module["name"]]]
+        more = [[answers[task.key] for task in folds[name]]] if "folds" in module["functions"] else []
+        inputs = (module["text"], module["backend"], rods, *more)
+        tasks.append(Task("agreement", name, stages.agree, inputs, stages.AGREEMENT))
     job.agreements = dict(zip(wanted, runner.results(tasks), strict=True))
+
+
+def fold_tasks(module: dict[str, Any], rods: int) -> list[Task]:
+    """The tasks that give the references of a module's folds, if it has any."""
+    if "folds" not in module["functions"]:
+        return []
+    label, scene = f"folds {module['case']}", (module["case"], module["folded"])
+    some = [number for number in stages.FOLD_RODS if number < rods]
+    return [Task("reference", label, stages.fold_reference, (*scene, n), stages.FOLDS) for n in some]
 
 
 def reference_tasks(runner: Runner, module: dict[str, Any]) -> list[Task]:

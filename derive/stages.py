@@ -26,7 +26,13 @@ EXACT = 120
 REPORT = (*PRINTED, HERE / "report")
 EMIT = (*CHECK, HERE / "emit", HERE / "resources.py")
 REFERENCE = tuple(HERE / "measure" / f"{name}.py" for name in ("taylor", "reference", "scan", "rods"))
-AGREEMENT = (*REFERENCE, *(HERE / "measure" / f"{name}.py" for name in ("agreement", "sweeps", "loading")))
+FOLDS = (*REFERENCE, *(HERE / "measure" / f"{name}.py" for name in ("counts", "folds", "fold_references")))
+AGREEMENT = (
+    *FOLDS,
+    *(HERE / "measure" / f"{name}.py" for name in ("agreement", "fold_agreement", "sweeps", "loading")),
+)
+# Of the rods of a load case, those whose folds are looked for.
+FOLD_RODS = (0, 2, 4)
 
 
 @dataclass(frozen=True)
@@ -161,6 +167,7 @@ def emit(scene_text: str, label: str, backend: str) -> dict[str, Any]:
         "name": f"{scene.name}_{backend}",
         "case": scene.case,
         "folded": {name: str(value.evalf(EXACT)) for name, value in scene.folded.items()},
+        "functions": list(scene.functions),
         "backend": backend,
     }
     try:
@@ -205,9 +212,32 @@ def reference(case: str, folded: dict[str, str], number: int) -> list[dict[str, 
     return [found.to_json() for found in references(rod, exact)]
 
 
-def agree(text: str, backend: str, known: Sequence[Sequence[dict[str, Any]]]) -> dict[str, Any]:
-    """How far a module is off the references; an exception in the module is a fault like any other."""
+def fold_reference(case: str, folded: dict[str, str], number: int) -> dict[str, Any] | None:
+    """All folds of one of the rods of a load case as the field grows, to 40 digits; None where it is too stiff."""
+    from mpmath import mp, mpf
+
+    from derive.measure.fold_references import fold_references
+    from derive.measure.rods import rods
+
+    with mp.workdps(EXACT):
+        exact = {name: mpf(text) for name, text in folded.items()}
+    found = fold_references(rods(case, {name: float(text) for name, text in folded.items()})[number], exact)
+    return None if found is None else found.to_json()
+
+
+def agree(
+    text: str,
+    backend: str,
+    known: Sequence[Sequence[dict[str, Any]]],
+    folds: Sequence[dict[str, Any] | None] | None = None,
+) -> dict[str, Any]:
+    """How far a module is off the references; an exception in the module is a fault like any other.
+
+    folds: the references of its folds, if it has any.
+    """
     from derive.measure.agreement import DOUBLE, TWIN_DIGITS, agreement
+    from derive.measure.fold_agreement import enter_folds
+    from derive.measure.fold_references import FoldList
     from derive.measure.reference import Reference
 
     answers = [[Reference.from_json(one) for one in rod] for rod in known]
@@ -217,6 +247,8 @@ def agree(text: str, backend: str, known: Sequence[Sequence[dict[str, Any]]]) ->
     except Exception as error:
         return {"rows": [], "faults": [f"it cannot be imported: {type(error).__name__}: {error}"], "equilibria": 0}
     result = agreement(module, [(rod[0].rod, rod) for rod in answers], unit)
+    if folds is not None:
+        enter_folds(result, module, [FoldList.from_json(one) for one in folds if one], unit)
     rows = [asdict(row) for row in result.rows.values()]
     return {"rows": rows, "faults": result.reasons(), "equilibria": result.equilibria}
 

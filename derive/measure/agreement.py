@@ -49,12 +49,13 @@ class Agreement:
     rows: dict[str, Row] = field(default_factory=dict)
     faults: list[str] = field(default_factory=list)
     equilibria: int = 0
+    folds: int = 0  # ranges of η in which they were compared
 
     @property
     def holds(self) -> bool:
         """Whether the module may be written."""
         within = all(row.roundings <= ROUNDINGS for row in self.rows.values())
-        return within and bool(self.equilibria) and not self.faults
+        return within and bool(self.equilibria or self.folds) and not self.faults
 
     def reasons(self) -> list[str]:
         """What keeps the module from being written, one line each."""
@@ -62,13 +63,14 @@ class Agreement:
         lines = [
             f"{row.quantity} is off by {row.absolute:.1e} ({row.roundings:.1e} roundings) at {row.rod}" for row in far
         ]
-        return self.faults + lines + ([] if self.equilibria else ["it was compared with no equilibrium at all"])
+        none = [] if self.equilibria or self.folds else ["it was compared with no equilibrium at all"]
+        return self.faults + lines + none
 
 
 def agreement(module: ModuleType, references: Iterable[tuple[Rod, list[Reference]]], unit: float = DOUBLE) -> Agreement:
     """The worst errors of a module over some rods and all their equilibria; unit is the module's rounding."""
     result, given, found = Agreement(), [], []
-    for rod, known in references:
+    for rod, known in references if hasattr(module, "equilibria") or not hasattr(module, "folds") else ():
         try:
             with mp.workdps(TWIN_DIGITS):  # also where the scene makes no output of equilibria, and it takes no dps
                 equilibria = module.equilibria(**arguments(module.equilibria, rod))
