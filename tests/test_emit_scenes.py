@@ -58,7 +58,7 @@ def test_every_scene_of_the_design_is_there():
     assert remote.folded == {"length": 80, "clamp_angle": exact_pi / 2, "field_angle": exact_pi / 2}
     assert remote.outputs == ("equilibria", "sweep")
     assert second.folded == {"length": 80, "clamp_angle": 3 * exact_pi / 4, "field_angle": 0}
-    assert second.outputs == ("equilibria", "sweep")
+    assert second.outputs == ("equilibria", "sweep", "folds")
 
 
 @pytest.mark.parametrize("output", OUTPUTS[:2] + OUTPUTS[3:])

@@ -118,8 +118,7 @@ def folds(beta, length, clamp_angle, field_angle, *, eta) -> list[Fold]:
     length: length of the rod, > 0.
     clamp_angle: θ(0), the angle from the y axis to the tangent at the clamp, in radians.
     field_angle: α, the angle from the y axis to the field, in radians.
-
-    ``eta`` is the range (low, high) of the magnetic modulus over bending stiffness, 0 ≤ low < high.
+    ``eta``: the range (low, high) of the magnetic modulus over bending stiffness, 0 ≤ low < high.
 
     All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """
@@ -134,9 +133,8 @@ def exchanges(length, clamp_angle, field_angle, *, beta, eta) -> list[Exchange]:
     length: length of the rod, > 0.
     clamp_angle: θ(0), the angle from the y axis to the tangent at the clamp, in radians.
     field_angle: α, the angle from the y axis to the field, in radians.
-
-    ``beta`` and ``eta`` are the ranges (low, high) of the terminal force and the magnetic modulus over bending
-    stiffness, 0 ≤ low < high.
+    ``beta``, ``eta``: the ranges (low, high) of terminal force and magnetic modulus over bending stiffness,
+    0 ≤ low < high.
 
     All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """

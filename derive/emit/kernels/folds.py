@@ -10,7 +10,7 @@ from derive.emit.kernels.extrema import marks
 from derive.emit.kernels.landscape import landscape
 from derive.emit.kernels.pieces import clamp_in
 from derive.emit.kernels.search import Crossing
-from derive.emit.kernels.tracking import nearest, zeros
+from derive.emit.kernels.tracking import LEAST, nearest, zeros
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +44,7 @@ def all_folds(beta, length, clamp_angle, field_angle, low, high):
     def at(eta, key):
         return marks(both_sides(beta, eta, length, clamp_angle, field, scale), key)
 
-    found = [fold_of(sharpened(at, mark)) for mark in zeros(at, places, -beta)]
+    found = [fold_of(sharpened(at, mark)) for mark in zeros(at, places, -beta, LEAST)]
     found += pitchforks(beta, length, clamp_angle, field, scale, places)
     return sorted(found, key=lambda item: (item.eta, item.tip_angle))
 

@@ -37,7 +37,7 @@ class Bracket(NamedTuple):
     after: Any
 
 
-def zeros(values_at, places, origin, least=LEAST):
+def zeros(values_at, places, origin, least):
     """The records, each at the place of the parameter where its height vanishes.
 
     values_at(place, key): the records by key, at least those of this key unless it is None. origin: the place from
