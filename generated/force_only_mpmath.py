@@ -17,7 +17,7 @@ Formulas, each proved equal to its derivation:
     rest_fall, rest_moment, rest_stiffness, second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic,
     turn_level, turn_over (DLMF 4.21(iii)), turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7),
     w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 8c96ab82bf2f5a3e6209b0d600ecd09cebfb7d9622a10ead237ed347e746db5b
+Digest of the inputs: sha256 72c4b055efdfa49a40976f4de32573cbf21d9fc62c7b0ce2cc17365a2af3e5f9
 """
 
 from __future__ import annotations

@@ -17,7 +17,7 @@ Formulas, each proved equal to its derivation:
     rest_fall, rest_moment, rest_stiffness, second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic,
     turn_level, turn_over (DLMF 4.21(iii)), turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7),
     w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 1d0b8fb87f693c066ccdfde5ce181fc6581e0081ea2128e9313413686bccacad
+Digest of the inputs: sha256 bee2921d1d97b73005da25f42ee4c27a08332f6924c90a5b2273b15bda45490c
 """
 
 from __future__ import annotations

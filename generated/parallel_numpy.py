@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from the scene 'parallel': do not edit, change the scene, the theory or the kernels.
 
-Gives: equilibria, shape, sweep.
+Gives: equilibria, shape, sweep, folds, exchanges.
 Load case: parallel. Valid for beta >= 0, eta >= 0, length > 0, any clamp_angle.
 Formulas, each proved equal to its derivation:
     arc_kink (DLMF 19.29(ii)), arc_kink_tip, arc_square (DLMF 19.29(ii)), arc_y (exsl36), arc_z (exsl41),
@@ -18,21 +18,23 @@ Formulas, each proved equal to its derivation:
     second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic, turn_level, turn_over (DLMF 4.21(iii)),
     turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
     w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 1f51eb52b77bfc3b7aaac4797af5226fe1a89595e916b410fe378a14b015ecec
+Digest of the inputs: sha256 11fde3b311ab92d8ebbd065c210526c4d6564ce817f2f193455df20b29eb033c
 """
 
 from __future__ import annotations
 
 from cmath import log as complex_log
 from cmath import sqrt as complex_sqrt
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from math import asin, atan2, ceil, cos, exp, floor, frexp, hypot, inf, isfinite, ldexp, log, log2, pi, sin, sqrt
 from operator import index
 from typing import Any, NamedTuple
 
 import numpy as np
 
-__all__ = ["Equilibrium", "Shape", "Sweep", "equilibria", "shape", "sweep"]
+__all__ = ["Equilibrium", "Exchange", "Fold", "Shape", "Sweep", "equilibria", "exchanges", "folds", "shape", "sweep"]
 
 # Constants
 
@@ -47,6 +49,13 @@ TERMS = 9  # of the series before what can be left out is left out
 ANGLE_DEGREE = 6  # of the short series: two gathers of up to four coefficients each
 PLACE_DEGREE = 5  # the slope is not asked for, so it needs a degree less
 LOOKUP_BLOCK = 8192  # points at a time, so that what is gathered for them stays in the cache
+FINEST = 0.4
+ROUGH = 0.02
+WINDOW = 0.5
+FURTHEST = 3
+LEAP = 1e-5
+LEAST = 1e-12
+CLOSE = 1e-3
 
 
 # Special functions
@@ -1201,10 +1210,10 @@ def wrapped(angle):
     return angle - 2 * pi * floor(angle / (2 * pi) + 0.5)
 
 
-def above_field(eta, basin, middle, half_width, height):
+def above_field(eta, basin, middle, half_width, field_angle, height):
     """``mean`` less η where they are near each other: 2(V(tip) − V)/(cos(θ − middle) − cos(half_width)) at the θ at
     which it is least, which lies then near the ridge or the well. height: from there to the tip."""
-    shift = wrapped(2 * -middle)
+    shift = wrapped(2 * (field_angle - middle))
     offset = wrapped(middle + shift - basin.axis.angle)
     # As near the ridge as rounding it is nearer still: it is there to the second order in the height.
     offset = pick(abs(offset) < 32 * spacing(offset), 0, offset)
@@ -1213,17 +1222,17 @@ def above_field(eta, basin, middle, half_width, height):
     return (height + fall(eta, basin.axis, 0, offset)) / pick(turn == 0, 1, turn)
 
 
-def rates(beta, eta, basin, tip, half_width, sine, near, far, height):
+def rates(beta, eta, field_angle, basin, tip, half_width, sine, near, far, height):
     """dχ/dσ at the ends and in the middle of the motion."""
     middle, cosine = tip + half_width, cos(half_width)
-    double = 2 * middle
+    double = 2 * (middle - field_angle)
     product = sqrt(near) * sqrt(far)
     excess = -(2 * beta * cos(middle) * cosine + eta * cos(double) * (1 + cosine * cosine))
     mean = -(2 * beta * cos(middle) + eta * cosine * cos(double))
     # mean − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to level.
     ahead, behind = sin(half_width / 2 + double / 2), sin(half_width / 2 - double / 2)
     by_far, by_near = far - 2 * eta * ahead * ahead, near - 2 * eta * behind * behind
-    apart = above_field(eta, basin, middle, half_width, height)
+    apart = above_field(eta, basin, middle, half_width, field_angle, height)
     apart = pick(2 * by_near > near, by_near, apart)
     apart = pick(2 * by_far > far, by_far, apart)
     apart = pick(mean - eta > 0.1 * eta, mean - eta, apart)
@@ -1266,7 +1275,7 @@ def motion_at(beta, eta, piece: Piece, place):
     done_sine = sin(pick(done > pi, lack + left / 2, done / 2))
     left_sine = sin(pick(left > pi, lack + done / 2, left / 2))
     half_cosine = sin(lack / 2)
-    end, middle = rates(beta, eta, basin, tip, half_width, sine, near, far, height)
+    end, middle = rates(beta, eta, 0.0, basin, tip, half_width, sine, near, far, height)
     return Motion(
         tip,
         half_width,
@@ -1422,20 +1431,21 @@ def twist(eta, x):
     return eta * sin(x) * cos(x)
 
 
-def ridge_couple(eta):
+def ridge_couple(beta, eta, field_angle):
     """The couple on a rod that points along α + π + x."""
-    return twist(eta, 0.0)
+    return twist(eta, 0.0) - beta * sin(field_angle)
 
 
-def places(beta, eta, length, piece):
+def places(beta, eta, field_angle, length, piece):
     """Places to begin with, closer around the level at which the motion meets a ridge that is not quite there."""
     found, basin = grid(beta, eta, length, piece), piece.basin
     if basin.even or basin.passes or piece.low_kind == "level" or basin.far.quarters - basin.hill.quarters != 4:
         return found
-    cusp = pi
+    angle = abs(field_angle)
+    cusp = angle + pi
     # How far η is below the value at which the ridge would appear.
-    missing = max(-ridge_couple(eta) / (beta + eta), epsilon())
-    cusp = 2 * pi - cusp
+    missing = max(-ridge_couple(beta, eta, angle) / (beta + eta), epsilon())
+    cusp = cusp if field_angle > 0 else 2 * pi - cusp
     down = basin.well.angle - basin.hill.angle
     rise = reach(eta, basin.hill, fall(eta, basin.hill, 0, cusp - basin.hill.angle), down, 1)
     if missing > 0.3 or not 0 < rise < piece.width:
@@ -1588,7 +1598,7 @@ def crossings(beta, eta, length, piece, most):
 
     # No half-swing is shorter than that of the stiffest pendulum.
     signs = (1,) if length * sqrt(beta + eta) < pi else (1, -1)
-    samples = refined(sample, [sample(place) for place in places(beta, eta, length, piece)], length)
+    samples = refined(sample, [sample(place) for place in places(beta, eta, 0.0, length, piece)], length)
     end = end_sample(piece, samples[-1])
     if end is not None:
         samples.append(end)
@@ -2531,6 +2541,645 @@ def many_rods(beta, eta, length, clamp_angle):
     return Given(*parts)
 
 
+def steps(beta, soonest, length, low, high):
+    """The η to look at first, from where ``soonest``, the largest force, lets equilibria meet; beta: the least one.
+
+    As long as ℓ²(β + η) < (π/2)² nothing meets: ∂θ(0)/∂θ(ℓ) has no zero yet (Sturm).
+    """
+    first = pi / 2 / length
+    start, offset = max(low, first * first - soonest), max(beta, first * first)
+    if start >= high:
+        return []
+    ratio = (offset + high) / (offset + start)
+    count = ceil(20 * log(ratio)) + 2
+    inner = [(offset + start) * ratio ** (k / count) - offset for k in range(1, count)]
+    return [start, *(eta for eta in inner if start < eta < high), high]
+
+
+class Mark(NamedTuple):
+    """An extremum of a branch's length over the tip angle.
+
+    key: side, piece, branch, and whether it is a maximum. group: what of it stays when it goes over to another piece.
+    spot: what tells it from the others of its key, the place. height: the length there over the rod's, less 1. slope:
+    the derivative of that by η.
+    """
+
+    key: tuple
+    group: tuple
+    spot: float
+    place: float
+    height: float
+    slope: float
+    rod: Rod
+    turns: int
+    piece: Piece
+
+
+class Probe(NamedTuple):
+    """Half-swing, first arrival, and their derivatives by the place."""
+
+    place: float
+    swing: float
+    arrival: float
+    swing_rate: float
+    arrival_rate: float
+
+
+def moment_rate(beta, eta, angle, d_angle, change):
+    """The derivative of θ″ at an angle that changes too."""
+    lean = angle
+    stiffness = beta * cos(angle) + eta * cos(2 * lean)
+    return stiffness * d_angle + sin(angle) * change.beta + sin(2 * lean) / 2 * change.eta
+
+
+def change_of_ratio(beta, eta, motion, change, d_turn):
+    """The derivative of log(far/near); d_turn: of the far turning point by the loads alone.
+
+    What the tip does to it is put by the condition of turning pairs, by which far − near is 2η sin 2(middle − α) times
+    sin(half_width): where the motion is nearly a whole turn both logarithms change much and alike.
+    """
+    tip, near, far = motion.tip, motion.near, motion.far
+    turn = tip + 2 * motion.half_width
+    stiffness = beta * cos(tip) + eta * cos(2 * tip)
+    by_tip = 6 * cos(motion.half_width) * near * near + 4 * stiffness * (near + far)
+    by_near = moment_rate(beta, eta, tip, 0, change) / motion.near_moment
+    by_far = moment_rate(beta, eta, turn, d_turn, change) / motion.far_moment
+    skew = motion.uneven * (sqrt(near) + sqrt(far)) / (2 * motion.sine)
+    return -by_tip * skew / (near * far * far) * change.tip - by_far - by_near
+
+
+class Numbers(NamedTuple):
+    """Derivatives of the numbers of the Legendre form: of the logarithms of far/near, end and middle, and of the far
+    turning point itself."""
+
+    ratio: float
+    end: float
+    middle: float
+    turn: float
+
+
+def changes_of_numbers(beta, eta, motion, change):
+    """Derivatives of the turning pair (V stays equal at its ends) and of the numbers made from it."""
+    tip, half, sine = motion.tip, motion.half_width, motion.sine
+    cosine, middle, turn = cos(half), tip + half, tip + 2 * half
+    cos_middle, sin_middle = cos(middle), sin(middle)
+    double_cos, double_sin = cos(2 * middle), sin(2 * middle)
+    loads = sine * (cosine * double_sin * change.eta + 2 * sin_middle * change.beta)
+    d_turn = (loads - motion.near_moment * change.tip) / motion.far_moment
+    d_half, d_middle = (d_turn - change.tip) / 2, (d_turn + change.tip) / 2
+    cot = cosine / sine * d_half
+    near = moment_rate(beta, eta, tip, change.tip, change) / motion.near_moment - cot
+    far = -moment_rate(beta, eta, turn, d_turn, change) / motion.far_moment - cot
+    ratio = change_of_ratio(beta, eta, motion, change, loads / motion.far_moment)
+    product = sqrt(motion.near) * sqrt(motion.far)
+    d_product = product * (near + far) / 2
+    wide = 1 + cosine * cosine
+    excess = -(2 * beta * cos_middle * cosine + eta * double_cos * wide)
+    d_excess = 2 * (beta * cos_middle + eta * double_cos * cosine) * sine * d_half
+    d_excess = d_excess + 2 * (beta * sin_middle * cosine + eta * double_sin * wide) * d_middle
+    d_excess = d_excess - 2 * cos_middle * cosine * change.beta - double_cos * wide * change.eta
+    square = 4 * motion.middle * motion.middle
+    if excess >= 0:
+        return Numbers(ratio, (near + far) / 4, (d_product + d_excess) / (2 * square), d_turn)
+    mean = -(2 * beta * cos_middle + eta * cosine * double_cos)
+    d_mean = 2 * (beta * sin_middle + eta * cosine * double_sin) * d_middle + eta * sine * double_cos * d_half
+    d_mean = d_mean - 2 * cos_middle * change.beta - cosine * double_cos * change.eta
+    below = product - excess
+    # 4·middle² = sin²D (mean − η)(mean + η)/below, in which mean − η is told by the rest.
+    apart = square * below / (sine * sine * (mean + eta))
+    logarithm = 2 * cot + (d_mean - change.eta) / apart + (d_mean + change.eta) / (mean + eta)
+    logarithm = logarithm - (d_product - d_excess) / below
+    return Numbers(ratio, (near + far) / 4, logarithm / 2, d_turn)
+
+
+def sine_part(a, b, square, rest, arrival):
+    """∫sin²ψ/√(a² cos²ψ + b² sin²ψ) over the same range as ``arrival``, the integral without sin²ψ.
+
+    ``second_kind`` over b² − a², which is taken out of each of its terms: aₖ₊₁² − bₖ₊₁² = (aₖ − bₖ)²/4.
+    """
+    limit, more, weight, total = 2 * epsilon() ** 0.5, True, 1, 0
+    while more:
+        more = any_of(abs(a - b) > limit * a)
+        delta = sqrt(a * a * rest + b * b * square)
+        total = total + weight * (arrival / 2 - sqrt(square * rest) / (a + delta))
+        sum_, below = a + b, a + delta
+        inner = a + (a * a + b * b * square) / (delta + b * square)
+        scale = below * below
+        weight = weight * (a - b) / (2 * sum_)
+        square, rest = sum_ * sum_ * square / scale, 2 * a * rest * inner / scale
+        a, b = sum_ / 2, sqrt(a * b)
+    return total
+
+
+def rates_of_times(beta, eta, motion, change):
+    """Derivatives of half-swing and first arrival along a change of tip angle and loads; the clamp angle stays.
+
+    dI = −(S + X) dlog a − (C − X) dlog b + dψ/Δ for I = ∫dψ/Δ, Δ² = a² cos²ψ + b² sin²ψ, with S = ∫sin²ψ/Δ,
+    C = ∫cos²ψ/Δ and X = sin ψ cos ψ/Δ (DLMF 19.4(i), there for E, F and k).
+    """
+    numbers = changes_of_numbers(beta, eta, motion, change)
+    phase = phase_of(motion)
+    swing, arrival = times(motion)
+    a, b = motion.end, motion.middle
+    square, rest = phase.square, phase.rest
+    all_sine, sine = sine_part(a / 2, b / 2, 1, 0, swing), sine_part(a / 2, b / 2, square, rest, arrival)
+    speed = sqrt(a * a * rest + b * b * square) / 2
+    across = sqrt(square * rest)
+    # ψ moves against χ: sin²ψ = a(1 − cos χ)/(a + Δ_χ). Δ_χ − a cos χ without cancellation:
+    forth = (a + phase.delta) * rest
+    done, left = sqrt(motion.far) * motion.done_sine, sqrt(motion.near) * motion.left_sine
+    sine_chi = 2 * sqrt(done * left) / phase.whole
+    first = forth >= phase.delta
+    behind = pick(first, (b * sine_chi) * (b * sine_chi) / pick(first, forth, 1), 2 * phase.delta - forth)
+    moved = across * behind * (numbers.end - numbers.middle) / (2 * phase.delta * speed)
+    near_cot = cos(motion.done / 2) / motion.done_sine * change.tip
+    far_cot = cos(motion.left / 2) / motion.left_sine * numbers.turn
+    clamped = sine_chi * (numbers.ratio - near_cot - far_cot) / (4 * phase.delta)
+    edge = across / speed
+    swing_rate = -all_sine * numbers.end - (swing - all_sine) * numbers.middle
+    arrival_rate = -(sine + edge) * numbers.end - (arrival - sine - edge) * numbers.middle + moved + clamped
+    return swing_rate, arrival_rate
+
+
+class Change(NamedTuple):
+    """The change of the tip angle and of the loads, along which a derivative is taken."""
+
+    tip: float
+    beta: float
+    eta: float
+
+
+def probe(rod, piece, ends, place):
+    """The times at a place and their derivatives; in the deep, these are the delays."""
+    stay = stay_at(rod.beta, rod.eta, piece, ends, place)
+    swing, arrival = times(stay.motion)
+    side = -1 if place < 0 else 1
+    delay = ends[place >= 0]
+    swing, arrival = swing + stay.tip + stay.middle + stay.far, arrival + stay.tip + stay.arrival
+    if abs(place) >= delay.deepest:
+        return Probe(place, swing, arrival, side * (delay.tip + delay.middle + delay.far), side * delay.arrival)
+    share = piece.width / ((1 + exp(place)) * (1 + exp(-place)))
+    rates = rates_of_times(rod.beta, rod.eta, stay.motion, Change(share, 0, 0))
+    return Probe(place, swing, arrival, *rates)
+
+
+def dense(sample, samples, length):
+    """More samples where the trapezoidal rule for the derivatives misses the difference of the lengths."""
+    done, todo = [samples[0]], samples[:0:-1]
+    while todo:
+        before, after = done[-1], todo[-1]
+        width = after.place - before.place
+        swing = after.swing - before.swing - width * (after.swing_rate + before.swing_rate) / 2
+        arrival = after.arrival - before.arrival - width * (after.arrival_rate + before.arrival_rate) / 2
+        least = min(before.swing, after.swing)
+        miss = abs(arrival) + (length / least * abs(swing) if length > least else 0)
+        if width > FINEST and miss > ROUGH * length:
+            todo.append(sample((before.place + after.place) / 2))
+        else:
+            done.append(todo.pop())
+    return done
+
+
+def branches_near(samples, length):
+    """(sign, swings) of every branch that is somewhere about as long as the rod."""
+    shortest = min(item.swing for item in samples)
+    last = ceil((1 + WINDOW) * length / (2 * shortest)) + 1
+    return [(sign, swings) for sign in (1, -1) for swings in range(0 if sign > 0 else 1, last + 1)]
+
+
+def rate(item, sign, swings):
+    """The derivative of the length of a branch by the place; 0 where it is within rounding of it."""
+    value = (2 * swings * item.swing_rate if swings else 0) + sign * item.arrival_rate
+    return value if abs(value) > 64 * epsilon() * (2 * swings * item.swing + item.arrival) else 0
+
+
+def branch_length(item, sign, swings):
+    """The length of a branch."""
+    return (2 * swings * item.swing if swings else 0) + sign * item.arrival
+
+
+def near(before, after, sign, swings, length):
+    """Whether one of two neighbours is about as long as the rod."""
+    return any(abs(branch_length(item, sign, swings) / length - 1) < WINDOW for item in (before, after))
+
+
+def twice(sample, triple, values, sign, swings):
+    """The two sign changes beside the middle one of three samples, where the derivative may go beyond zero."""
+    before, here, after = (abs(value) for value in values)
+    facing = values[1] > 0
+    if (values[2] > 0) != facing or not (here < before and here < after) or here > max(before - here, after - here):
+        return []
+
+    def short(item):
+        value = rate(item, sign, swings)
+        return value if facing else -value
+
+    best = dip(sample, short, *triple)
+    return [(triple[0], best), (best, triple[2])] if short(best) < 0 else []
+
+
+def brackets_of(sample, samples, sign, swings, length):
+    """Pairs of samples between which the derivative changes sign, in the order of places."""
+    seen = [item for item in samples if rate(item, sign, swings) != 0]
+    values = [rate(item, sign, swings) for item in seen]
+    found = []
+    for k in range(1, len(seen)):
+        if (values[k] > 0) != (values[k - 1] > 0):
+            found.append((seen[k - 1], seen[k]))
+        elif k + 1 < len(seen) and near(seen[k], seen[k], sign, swings, length):
+            found += twice(sample, seen[k - 1 : k + 2], values[k - 1 : k + 2], sign, swings)
+    return found
+
+
+def zero_between(function, a, b, value_a, value_b):
+    """A sign change of a function between two places, to rounding, by Chandrupatla's method (1997)."""
+    fraction = 0.5
+    while True:
+        trial = a + fraction * (b - a)
+        value = function(trial)
+        if (value > 0) == (value_a > 0):
+            c, value_c = a, value_a
+        else:
+            c, value_c, b, value_b = b, value_b, a, value_a
+        a, value_a = trial, value
+        best, value_best = (a, value_a) if abs(value_a) < abs(value_b) else (b, value_b)
+        least = 2 * epsilon() * (1 + abs(best)) / abs(b - a)
+        if least > 0.5 or value_best == 0:
+            return best
+        fraction = min(1 - least, max(least, interpolated(a, b, c, value_a, value_b, value_c)))
+
+
+def slope_at(rod, piece, place, sign, swings, change):
+    """The derivative of the length of a branch by the loads, over the rod's length."""
+    stay = stay_at(rod.beta, rod.eta, piece, delays(piece), place)
+    swing, arrival = rates_of_times(rod.beta, rod.eta, stay.motion, change)
+    return ((2 * swings * swing if swings else 0) + sign * arrival) / rod.length
+
+
+def mark_at(rod, turns, piece, sample, key, sign, swings, before, after):
+    """The extremum between two samples, to rounding of the place."""
+
+    def function(place):
+        item = sample(place)
+        return (2 * swings * item.swing_rate if swings else 0) + sign * item.arrival_rate
+
+    place = zero_between(function, before.place, after.place, function(before.place), function(after.place))
+    height = branch_length(sample(place), sign, swings) / rod.length - 1
+    slope = slope_at(rod, piece, place, sign, swings, Change(0, 0, 1))
+    return Mark(key, (rod.side, sign, swings, key[-1]), place, place, height, slope, rod, turns, piece)
+
+
+def marks_on(rod, turns, piece, where, wanted):
+    """The extrema of the branches on a piece."""
+    ends = delays(piece)
+
+    def sample(place):
+        return probe(rod, piece, ends, place)
+
+    places = grid(rod.beta, rod.eta, rod.length, piece)
+    samples = dense(sample, [sample(place) for place in places], rod.length)
+    branches = branches_near(samples, rod.length) if wanted is None else [wanted[len(where) : len(where) + 2]]
+    for sign, swings in branches:
+        for before, after in brackets_of(sample, samples, sign, swings, rod.length):
+            top = rate(before, sign, swings) > 0
+            key = (*where, sign, swings, top)
+            if (wanted is None or key == wanted) and near(before, after, sign, swings, rod.length):
+                yield mark_at(rod, turns, piece, sample, key, sign, swings, before, after)
+
+
+def marks(sides, wanted=None):
+    """The extrema of all branches of a rod, given from both sides, by key; or only those of the key wanted."""
+
+    found: dict[tuple, list[Mark]] = {}
+    for rod in sides:
+        stiff = rod.length * rod.length * (rod.beta + rod.eta) < 2  # nothing meets below (π/2)²
+        if stiff or (wanted is not None and wanted[0] != rod.side):
+            continue
+        scene = landscape(rod.beta, rod.eta)
+        clamp = clamp_in(scene.rests, rod.clamp_angle)
+        for number, piece in enumerate(pieces(rod.beta, rod.eta, scene, clamp)):
+            where = (rod.side, number, piece.low_kind, piece.high_kind, piece.basin.passes)
+            if wanted is None or wanted[: len(where)] == where:
+                for mark in marks_on(rod, clamp.turns, piece, where, wanted):
+                    found.setdefault(mark.key, []).append(mark)
+    return found
+
+
+def both_sides(beta, eta, length, clamp_angle, scale):
+    """The rod, and its mirror image."""
+    return Rod(beta, eta, length, clamp_angle, 1, scale), Rod(beta, eta, length, -clamp_angle, -1, scale)
+
+
+def rod_of(mark):
+    """The equilibrium of an extremum."""
+    _, sign, swings, _ = mark.group
+    index = 2 * swings - (1 if sign < 0 else 0)
+    return bent_rod(mark.rod, mark.turns, mark.piece, Crossing(mark.place, swings, sign, True), index)
+
+
+def fold_of(mark):
+    """The fold of an extremum whose length is the rod's."""
+    rod, top = mark.rod, mark.group[-1]
+    found = rod_of(mark)
+    change = 2 if (mark.slope > 0) == top else -2
+    eta = ldexp(rod.eta, 2 * rod.scale)
+    return Fold(eta, found.tip_angle, found.clamp_curvature, found.y, found.z, found.index, change, "fold")
+
+
+def nearest(values, key, spot):
+    """The record of a key that is nearest to a spot; None if there is none."""
+    return min(values.get(key, []), key=lambda record: abs(record.spot - spot), default=None)
+
+
+def sharpened(at, mark):
+    """The extremum where its length is the rod's, by one step of Newton's method: η then has no error of its own."""
+    eta = mark.rod.eta - mark.height / mark.slope
+    return nearest(at(eta, mark.key), mark.key, mark.spot) or mark
+
+
+class Row(NamedTuple):
+    """What is at a place of the parameter: by key, lists of records in the order of their spots.
+
+    A record has a spot, by which it is told from others of its key, a group, which it keeps if it goes over to
+    another key, and a height.
+    """
+
+    place: float
+    values: dict
+
+
+def share(low, high, origin):
+    """The width of an interval, as a share of the parameter."""
+    return (high.place - low.place) / (high.place - origin)
+
+
+def matched(low, high):
+    """(key, record, record) for what is on both sides: the nearest spots of a key, in their order."""
+    found = []
+    for key, here in low.values.items():
+        there, first = high.values.get(key, []), 0
+        turned = len(here) > len(there)
+        few, many = (there, here) if turned else (here, there)
+        for k, record in enumerate(few):
+            last = len(many) - (len(few) - k) + 1
+            best = min(range(first, last), key=lambda j: abs(many[j].spot - record.spot))
+            first = best + 1
+            if abs(many[best].spot - record.spot) < FURTHEST:
+                found.append((key, many[best], record) if turned else (key, record, many[best]))
+    return found
+
+
+def lonely(low, high):
+    """The records that are in the first row only, and in the second one only."""
+    pairs = matched(low, high)
+    kept = {id(record) for _, before, after in pairs for record in (before, after)}
+    return [[item for items in row.values.values() for item in items if id(item) not in kept] for row in (low, high)]
+
+
+def follow(values_at, places, origin, least):
+    """Rows so dense that the same records are on both sides, or the interval is negligible."""
+    rows = [Row(places[0], values_at(places[0], None))]
+    todo = [Row(place, values_at(place, None)) for place in places[:0:-1]]
+    while todo:
+        low, high = rows[-1], todo[-1]
+        wide = share(low, high, origin)
+        alone = [record for records in lonely(low, high) for record in records]
+        if wide > least and any(abs(record.height) < 2 * sqrt(wide) for record in alone):
+            middle = (low.place + high.place) / 2
+            todo.append(Row(middle, values_at(middle, None)))
+        else:
+            rows.append(todo.pop())
+    return rows
+
+
+class Bracket(NamedTuple):
+    """Places between which the height of a record changes sign, and the record on either side."""
+
+    key: tuple
+    low: float
+    high: float
+    before: Any
+    after: Any
+
+
+def changes(low, high):
+    """The changes of sign between two rows."""
+    return [
+        Bracket(key, low.place, high.place, before, after)
+        for key, before, after in matched(low, high)
+        if before.height != 0 and (before.height < 0) != (after.height < 0)
+    ]
+
+
+def leaps(low, high):
+    """The changes of sign of what goes over from one key to another within a negligible interval."""
+    found = []
+    first, second = lonely(low, high)
+    for item in first:
+        for other in second:
+            small = abs(item.height) < LEAP and abs(other.height) < LEAP
+            if small and item.group == other.group and item.height != 0 and (item.height < 0) != (other.height < 0):
+                found.append(item if abs(item.height) < abs(other.height) else other)
+    return found
+
+
+def lowest(values_at, triple, key, spot, side):
+    """Where side·height is least, or first found below zero, and the record there."""
+
+    def sample(place):
+        return Row(place, values_at(place, key))
+
+    def short(row):
+        record = nearest(row.values, key, spot)
+        return inf if record is None else side * record.height
+
+    best = dip(sample, short, *triple)
+    return best.place, nearest(best.values, key, spot)
+
+
+def touched(values_at, triple):
+    """The changes of sign beside an extremum in the parameter that goes beyond zero between three rows."""
+    low, middle, high = triple
+    found = []
+    later = {id(record): after for _, record, after in matched(middle, high)}
+    for key, before, record in matched(low, middle):
+        after = later.get(id(record))
+        if after is None:
+            continue
+        side = 1 if record.height > 0 else -1
+        left, here, right = side * before.height, side * record.height, side * after.height
+        if not (0 < here < left and here < right) or here > max(left - here, right - here):
+            continue
+        place, best = lowest(values_at, triple, key, record.spot, side)
+        if best is not None and side * best.height < 0:
+            found.append(Bracket(key, low.place, place, before, best))
+            found.append(Bracket(key, place, high.place, best, after))
+    return found
+
+
+def root(values_at, bracket):
+    """The record where its height vanishes; None if it does not, for the record is not there all the way."""
+    key, low, high, before, after = bracket
+
+    def record_at(place):
+        spot = before.spot + (place - low) / (high - low) * (after.spot - before.spot)
+        return nearest(values_at(place, key), key, spot)
+
+    def function(place):
+        record = record_at(place)
+        return before.height if record is None else record.height
+
+    record = record_at(zero_between(function, low, high, before.height, after.height))
+    return record if record is not None and abs(record.height) < LEAP else None
+
+
+def zeros(values_at, places, origin, least):
+    """The records, each at the place of the parameter where its height vanishes.
+
+    values_at(place, key): the records by key, at least those of this key unless it is None. origin: the place from
+    which widths are measured.
+    """
+    rows = follow(values_at, places, origin, least)
+    found, crossed = [], []
+    for low, high in pairwise(rows):
+        crossed += changes(low, high)
+        if share(low, high, origin) <= least:
+            found += leaps(low, high)
+    for triple in zip(rows, rows[1:], rows[2:], strict=False):
+        crossed += touched(values_at, triple)
+    found += [record for record in (root(values_at, bracket) for bracket in crossed) if record is not None]
+    return found
+
+
+def straight_at(beta, eta, clamp_angle):
+    """The direction without moment that is the clamp angle; None if there is none."""
+    rests = landscape(beta, eta).rests
+    offsets = clamp_in(rests, clamp_angle).offsets
+    return next((rest for rest, offset in zip(rests, offsets, strict=True) if offset == 0), None)
+
+
+def pitchforks(beta, length, clamp_angle, scale, places):
+    """Where the rod that stays straight buckles: ℓ√(−dθ″/dθ) is an odd number of quarter turns.
+
+    The clamp angle is without moment for every η only where the rod is symmetric about it, and then the bent rods
+    come in pairs. Near it u″ = (B + C)u − (B + 4C)u³/6 + (B + 16C)u⁵/120 with B = β cos θ₀, C = η cos 2(θ₀ − α): the
+    signs say whether the half-swing grows with the amplitude.
+    """
+    rests = [straight_at(beta, eta, clamp_angle) for eta in (places[0], places[len(places) // 2], places[-1])]
+    if any(rest is None for rest in rests):
+        return []
+    cosine, sine = direction(rests[-1])
+    force, facing = beta * cosine, 1 if rests[-1].double_cosine > 0 else -1
+    found, index = [], 0
+    while index <= length * sqrt(beta + places[-1]) / pi:
+        wave = (index + 0.5) * pi / length
+        eta = -facing * (wave * wave + force)
+        if places[0] <= eta <= places[-1]:
+            cubic = force + 4 * facing * eta
+            softening = cubic < 0 if cubic != 0 else force + 16 * facing * eta > 0
+            change = 2 if softening == (facing < 0) else -2
+            extent = ldexp(length, -scale)
+            at = (clamp_angle, 0 * extent, cosine * extent, sine * extent)
+            found.append(Fold(ldexp(eta, 2 * scale), *at, index, change, "pitchfork"))
+        index += 1
+    return found
+
+
+def all_folds(beta, length, clamp_angle, low, high):
+    """Every fold with η in [low, high], sorted by η and tip angle."""
+    scale = frexp(beta + high)[1] // 2
+    beta, length = ldexp(beta, -2 * scale), ldexp(length, scale)
+    places = steps(beta, beta, length, ldexp(low, -2 * scale), ldexp(high, -2 * scale))
+    if not places:
+        return []
+
+    def at(eta, key):
+        return marks(both_sides(beta, eta, length, clamp_angle, scale), key)
+
+    found = [fold_of(sharpened(at, mark)) for mark in zeros(at, places, -beta, LEAST)]
+    found += pitchforks(beta, length, clamp_angle, scale, places)
+    return sorted(found, key=lambda item: (item.eta, item.tip_angle))
+
+
+def span(name, ends):
+    """(low, high) with 0 ≤ low < high, or an error that names the argument."""
+    if isinstance(ends, (str, bytes)) or not isinstance(ends, Iterable):
+        raise TypeError(f"{name} must be a pair (low, high), got {ends!r}")
+    pair = list(ends)
+    if len(pair) != 2:
+        raise ValueError(f"{name} must be a pair (low, high), got {ends!r}")
+    low, high = (real(f"{name}[{place}]", end) for place, end in enumerate(pair))
+    if not 0 <= low < high:
+        raise ValueError(f"{name} must be a range (low, high) with 0 ≤ low < high, got ({low}, {high})")
+    return low, high
+
+
+def level_point(at, name, low, high, before, after):
+    """The extremum between two rows at which the length is stationary in η; None if it is not there all the way."""
+
+    def mark_at(eta):
+        spot = before.spot + (eta - low) / (high - low) * (after.spot - before.spot)
+        return nearest(at(eta, name), name, spot)
+
+    def function(eta):
+        mark = mark_at(eta)
+        return before.slope if mark is None else mark.slope
+
+    return mark_at(zero_between(function, low, high, before.slope, after.slope))
+
+
+def stationary(at, places, origin, key):
+    """The extrema of branches whose length is stationary in η too, by key; or only those of the key wanted."""
+
+    def near(eta, _):
+        return at(eta, None if key is None else key[:-1])
+
+    rows = follow(near, places, origin, CLOSE)
+    found: dict[tuple, list[Mark]] = {}
+    for low, high in pairwise(rows):
+        for name, before, after in matched(low, high):
+            top = before.slope > 0
+            if top != (after.slope > 0) and (key is None or key[-1] == top):
+                best = level_point(at, name, low.place, high.place, before, after)
+                if best is not None:
+                    found.setdefault((*name, top), []).append(
+                        best._replace(key=(*name, top), group=(*best.group, top), spot=best.rod.eta)
+                    )
+    return found
+
+
+def exchange_of(at, mark):
+    """The exchange of a doubly stationary length that is the rod's; a step of Newton's method sharpens β."""
+    _, sign, swings, top, over = mark.group
+    slope = slope_at(mark.rod, mark.piece, mark.place, sign, swings, Change(0, 1, 0))
+    mark = nearest(at(mark.rod.beta - mark.height / slope, mark.key), mark.key, mark.spot) or mark
+    rod, found = mark.rod, rod_of(mark._replace(group=mark.group[:-1]))
+    loads = ldexp(rod.beta, 2 * rod.scale), ldexp(rod.eta, 2 * rod.scale)
+    kind = "isolated" if top == over else "exchange"
+    return Exchange(*loads, found.tip_angle, found.clamp_curvature, found.y, found.z, found.index, kind)
+
+
+def all_exchanges(length, clamp_angle, low_beta, high_beta, low, high):
+    """Every point with β and η in these ranges at which two folds meet, sorted by β and η."""
+    scale = frexp(high_beta + high)[1] // 2
+    low_beta, high_beta, low, high = (ldexp(load, -2 * scale) for load in (low_beta, high_beta, low, high))
+    length = ldexp(length, scale)
+    places = steps(low_beta, high_beta, length, low, high)
+    if not places:
+        return []
+
+    def at(beta, key):
+        def extrema(eta, kept):
+            return marks(both_sides(beta, eta, length, clamp_angle, scale), kept)
+
+        return stationary(extrema, places, -beta, key)
+
+    count = ceil(20 * (high_beta - low_beta) / (low_beta + high)) + 3
+    loads = [low_beta, *(low_beta + k * (high_beta - low_beta) / count for k in range(1, count)), high_beta]
+    found = [exchange_of(at, mark) for mark in zeros(at, loads, -high, CLOSE)]
+    return sorted(found, key=lambda item: (item.beta, item.eta))
+
+
 # Interface
 
 
@@ -2636,3 +3285,72 @@ def sweep(beta, eta, length, clamp_angle, *, max_index=None) -> Sweep:
         np.array([item.energy for _, item in found], dtype=float),
         np.array([item.index for _, item in found], dtype=int),
     )
+
+
+@dataclass(frozen=True, slots=True)
+class Fold:
+    """Two equilibria meet, at this η, and vanish on one side of it.
+
+    tip_angle, clamp_curvature, y, z: of the rod there. index: the lower of the two indices that meet; the other one is
+    index + 1. change: the number of equilibria just above this η less that just below: 2 or −2. kind: 'fold', or
+    'pitchfork' where the two that vanish meet a third one, the straight rod.
+    """
+
+    eta: float
+    tip_angle: float
+    clamp_curvature: float
+    y: float
+    z: float
+    index: int
+    change: int
+    kind: str
+
+
+def folds(beta, length, clamp_angle, *, eta) -> list[Fold]:
+    """Where equilibria of a rod meet and vanish as the field grows: every fold with η in a range, sorted by η.
+
+    beta: terminal force over bending stiffness, F/(EI) ≥ 0.
+    length: length of the rod, > 0.
+    clamp_angle: θ(0), the angle from the y axis to the tangent at the clamp, in radians.
+    ``eta``: the range (low, high) of the magnetic modulus over bending stiffness, 0 ≤ low < high.
+
+    All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
+    """
+    beta, length = not_negative("beta", beta), positive("length", length)
+    clamp_angle = real("clamp_angle", clamp_angle)
+    return all_folds(beta, length, clamp_angle, *span("eta", eta))
+
+
+@dataclass(frozen=True, slots=True)
+class Exchange:
+    """At this β and η the two folds of a diagram over η meet: it changes its aspect as β goes by.
+
+    With F = θ(0) − clamp angle as a function of the tip angle φ and of η: F = ∂F/∂φ = ∂F/∂η = 0. kind: 'exchange',
+    where two branches cross (F has a saddle) and their halves are joined otherwise on either side of β; 'isolated',
+    where a closed branch shrinks to a point and vanishes (F has an extremum). tip_angle, clamp_curvature, y, z: of
+    the rod there. index: the lower of the two indices that meet.
+    """
+
+    beta: float
+    eta: float
+    tip_angle: float
+    clamp_curvature: float
+    y: float
+    z: float
+    index: int
+    kind: str
+
+
+def exchanges(length, clamp_angle, *, beta, eta) -> list[Exchange]:
+    """Where two folds meet as the force grows: the diagram over η changes there. Those in a range, sorted by β and η.
+
+    length: length of the rod, > 0.
+    clamp_angle: θ(0), the angle from the y axis to the tangent at the clamp, in radians.
+    ``beta``, ``eta``: the ranges (low, high) of terminal force and magnetic modulus over bending stiffness,
+    0 ≤ low < high.
+
+    All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
+    """
+    length = positive("length", length)
+    clamp_angle = real("clamp_angle", clamp_angle)
+    return all_exchanges(length, clamp_angle, *span("beta", beta), *span("eta", eta))

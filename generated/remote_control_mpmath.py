@@ -14,7 +14,7 @@ Formulas, each proved equal to its derivation:
     point_pole (exsl22), pole_gap, rest_fall, rest_moment, rest_stiffness, rj_delta_imag (DLMF 19.26(iii)),
     rj_delta_real (DLMF 19.26(iii)), second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic,
     w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 c479fe02b6e0455670cdfe01af39974181739c92db5528c6c2c7389fa3dd3181
+Digest of the inputs: sha256 b0959e88e10675403285d01dcde9ea47afb1bfa6cd26d6e3033b6cb3bae360bb
 """
 
 from __future__ import annotations

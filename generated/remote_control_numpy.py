@@ -14,7 +14,7 @@ Formulas, each proved equal to its derivation:
     point_pole (exsl22), pole_gap, rest_fall, rest_moment, rest_stiffness, rj_delta_imag (DLMF 19.26(iii)),
     rj_delta_real (DLMF 19.26(iii)), second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic,
     w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 af0fd6ceabf3f568c51e0e98680a94fcc995879182644d40aff611559acf7fc1
+Digest of the inputs: sha256 c359a85771aaa37195a4a4c75f48b2fde2b4c144110b1ffd935548dc4edc1c52
 """
 
 from __future__ import annotations

@@ -36,11 +36,14 @@ def enter_folds(result: Agreement, module: ModuleType, known: Iterable[FoldList]
 
 
 def windows(known: FoldList, unit: float) -> Iterator[tuple[float, float]]:
-    """The ranges of η to ask for: all of it; for a twin, what is around each fold."""
+    """The ranges of η to ask for: all of it; for a twin, what is around each fold.
+
+    A double within rounding of a direction of equilibrium is none to a twin, for which the straight rod bends a little.
+    """
     if unit == DOUBLE:
         yield 0.0, known.high
         return
-    for fold in known.folds:
+    for fold in (fold for fold in known.folds if fold.kind == "fold"):
         eta = float(fold.values["eta"])
         yield eta * (1 - WINDOW), min(eta * (1 + WINDOW), known.high)
 
