@@ -115,7 +115,7 @@ def test_emitted_exchanges_are_those_of_the_kernels() -> None:
         ({"beta": 1, "eta": 1}, TypeError, "eta must be a pair"),
         ({"beta": 1, "eta": (1, 0)}, ValueError, "eta must be a range"),
         ({"beta": 1, "eta": (0, float("nan"))}, ValueError, "eta\\[1\\] must be finite"),
-        ({"beta": "1", "eta": (0, 1)}, TypeError, "beta must be a real number"),
+        ({"beta": 1j, "eta": (0, 1)}, TypeError, "beta must be a real number"),
     ],
 )
 @pytest.mark.parametrize("module", [bifurcation_numpy, bifurcation_mpmath], ids=["numpy", "mpmath"])
