@@ -253,7 +253,7 @@ def test_counting_finds_the_folds_of_the_kernels(case: str) -> None:
 
 # Wrong kernels: file, what is changed, and why that is wrong.
 MUTANTS = [
-    ("folds", "mark.rod.eta - mark.height", "mark.rod.eta + mark.height", "a step of Newton's method the wrong way"),
+    ("folds", "ldexp(rod.eta, 2 * rod.scale)", "ldexp(rod.eta, rod.scale)", "a field in other units"),
     (
         "folds",
         "change = 2 if (mark.slope > 0) == top",
@@ -262,10 +262,10 @@ MUTANTS = [
     ),
     ("folds", "index = 2 * swings - (1", "index = 2 * swings + (1", "an index two too high"),
     ("folds", "-clamp_angle, reflected(field), -1", "clamp_angle, reflected(field), -1", "a mirror image not mirrored"),
-    ("folds", "first * first - soonest)", "2 * first * first)", "the first folds are skipped"),
+    ("folds", "first * first - soonest)", "4 * first * first)", "the first folds are skipped"),
     ("variations", "d_turn = (loads - motion", "d_turn = (loads + motion", "a sign in the turning pair's derivative"),
     ("extrema", "+ sign * item.arrival\n", "- sign * item.arrival\n", "the other branch"),
-    ("tracking", "before.height != 0 and (before", "before.height != 0 and not (before", "no change of sign for one"),
+    ("tracking", "crossed += changes(low, high)", "crossed += changes(low, high) * 2", "each fold twice"),
 ]
 
 
