@@ -15,13 +15,14 @@ PLACES = {
     "emit": "commands_emit",
     "explain": "commands_explain",
     "report": "commands_report",
-    "solve": "commands_solve",
     "sweep": "commands_sweep",
-    "measure": "commands_measure",
-    "figures": "commands_figures",
 }
 NUMBERS = ("beta", "eta", "length", "clamp-angle", "field-angle")
 
+SWEEP = (
+    "One parameter is a range, as in --eta 0:0.001:500; another may be a list, as in --beta 0.0002,0.00035, for a "
+    "family of curves. Folds and pitchforks are located to rounding; jumps are those of a slow loading, each way."
+)
 CHECK_CODES = (
     "Exit code 0: every claim of the derivation holds, and every formula has a verdict (REFUTED is one: a finding "
     "about the article); with --mutants, no wrong variant survives. 1: a claim fails, or a formula is UNKNOWN, "
@@ -74,6 +75,17 @@ def parser() -> argparse.ArgumentParser:
     add.add_argument("scene", metavar="SCENE", help="shipped scene, or a scene file")
     for name in NUMBERS:
         add.add_argument(f"--{name}", metavar="X", help="a number; multiples of pi as in 3*pi/4")
+
+    add = commands.add_parser("sweep", parents=[common], help="complete branches over one parameter", epilog=SWEEP)
+    add.add_argument("scene", metavar="SCENE", help="shipped scene, or a scene file")
+    for name in NUMBERS:
+        add.add_argument(f"--{name}", metavar="X", help="a number, a range low:high:points, or numbers with commas")
+    for name, what in (("csv", "every point of every branch"), ("npz", "the same as arrays"), ("plot", "a picture")):
+        add.add_argument(f"--{name}", type=Path, metavar="FILE", help=what)
+    shown = ("y", "z", "tip_angle", "energy", "clamp_curvature")
+    add.add_argument("--show", choices=shown, default="y", help="what the picture shows (default: y)")
+    add.add_argument("--store", type=Path, metavar="DIR", help="keep what is computed, and go on from what is there")
+    add.add_argument("--dask", metavar="ADDRESS", help="compute on the Dask cluster of this scheduler")
     return top
 
 

@@ -6,7 +6,7 @@ of equilibrium and keeps to its first integral.
 
 from __future__ import annotations
 
-from math import cos, pi, sin, sqrt
+from math import atan, cos, isfinite, nextafter, pi, sin, sqrt, tan
 from types import SimpleNamespace
 from typing import Any
 
@@ -54,6 +54,50 @@ def random_rods(number: int, seed: int) -> list[Rod]:
     return found
 
 
+def astroid_rods(number: int, seed: int) -> list[Rod]:
+    """Rods whose second hill and well merge, or all but: β/η on and beside Stoner and Wohlfarth's astroid.
+
+    A third of the clamps is where they merge, a third near it.
+    """
+    rng = np.random.default_rng(seed)
+    found = []
+    for k in range(number):
+        angle = [pi / 4, -pi / 4, rng.uniform(0.05, 1.5), -rng.uniform(0.05, 1.5), 0.01, pi / 2 - 1e-3][k % 6]
+        ratio = (abs(sin(angle)) ** (2 / 3) + cos(angle) ** (2 / 3)) ** 1.5
+        beside = rng.choice([0.0, 1e-16, 1e-15, 1e-13, 1e-11, 1e-9, 1e-6, 1e-3]) * rng.uniform(-3, 3)
+        beta = 10 ** rng.uniform(-3, 1)
+        eta = beta * ratio * (1 + beside)
+        merged = pi + abs(angle) + atan(abs(tan(angle)) ** (1 / 3))
+        clamp = [0.0, 10 ** rng.uniform(-16, -1) * rng.choice([-1, 1]), rng.uniform(-4, 4)][k % 3]
+        clamp += merged * (1 if angle > 0 else -1)
+        found.append(Rod(beta, eta, rng.uniform(0.3, LONGEST) / sqrt(beta + eta), clamp, angle))
+    return found
+
+
+def extreme_rods(number: int, seed: int) -> list[Rod]:
+    """Loads from 0 and 1e-300 to 1e3, ℓ√(β + η) to 10⁴, clamps and fields at and a rounding off special directions."""
+    rng = np.random.default_rng(seed)
+
+    def load() -> float:
+        tiny = [0.0, 1e-300, 10 ** rng.uniform(-300, 3), 10 ** rng.uniform(-30, 2), 10 ** rng.uniform(-3, 1)]
+        return float(tiny[rng.integers(5)])
+
+    def special() -> float:
+        angle = float(rng.choice([-pi, -pi / 2, 0, pi / 4, pi / 2, pi, 3 * pi / 2, 2 * pi]))
+        angle = nextafter(angle, float(rng.choice([-9, 9]))) if rng.uniform() < 0.5 else angle
+        return angle + float(rng.choice([0, 0, 1e-15, -1e-12, 1e-8]))
+
+    found = []
+    for _ in range(number):
+        beta, eta = load(), load()
+        eta = eta if beta + eta > 0 else 1.0
+        length = 10 ** rng.uniform(-6, rng.integers(1, 5)) / sqrt(beta + eta)
+        clamp = special() if rng.uniform() < 0.5 else rng.uniform(-7, 7)
+        angle = [0.0, pi / 2, special(), rng.uniform(-4, 4)][rng.integers(4)]
+        found.append(Rod(beta, eta, length, clamp, angle))
+    return found
+
+
 def solved(rod: Rod) -> list[Any]:
     """All equilibria by the kernels."""
     found: list[Any] = all_equilibria(rod.beta, rod.eta, rod.length, rod.clamp_angle, rod.field_angle, None)
@@ -78,6 +122,40 @@ def test_shapes_solve_the_equation() -> None:
     for rod in random_rods(25, 12):
         for equilibrium in solved(rod):
             check_shape(rod, equilibrium)
+
+
+def test_rods_beside_the_astroid_have_the_counted_equilibria() -> None:
+    rods = astroid_rods(150, 5)
+    for counted in count(rods):
+        found = solved(counted.rod)
+        assert not wrong_in_kind(found, counted.number), counted.rod
+        assert counted.indices in (None, tuple(one.index for one in found)), counted.rod
+
+
+def test_extreme_rods_have_equilibria() -> None:
+    for rod in extreme_rods(400, 3):
+        found = all_equilibria(rod.beta, rod.eta, rod.length, rod.clamp_angle, rod.field_angle, 3)
+        assert found, rod
+        for one in found:
+            numbers = (one.tip_angle, one.clamp_curvature, one.gamma, one.y, one.z, one.energy)
+            assert all(isfinite(number) for number in numbers), rod
+
+
+def test_a_force_that_all_but_vanishes_beside_a_long_field() -> None:
+    # Each of these once ended in a division by zero: V of hill and ridge differ by less than any rounding.
+    assert not wrong_in_kind(solved(Rod(1e-100, 1.0, 1000.0, 2.3, 0.3)), None)
+    assert not wrong_in_kind(solved(Rod(1.0, 1.0, 265.0, -6.413092806963318, pi / 2)), None)
+    assert len(solved(Rod(2.01e-22, 7.744, 0.105, 4e-323, pi - 1e-12))) == 1
+
+
+@pytest.mark.hours
+def test_thousands_of_extreme_rods() -> None:
+    for rod in astroid_rods(3000, 7) + extreme_rods(10000, 8):
+        stiffness = rod.length * sqrt(rod.beta + rod.eta)
+        most = None if stiffness < 300 else 4
+        found = all_equilibria(rod.beta, rod.eta, rod.length, rod.clamp_angle, rod.field_angle, most)
+        assert found, rod
+        assert most is not None or not wrong_in_kind(found, None), rod
 
 
 @pytest.mark.long

@@ -23,7 +23,7 @@ RANK = {
     "report": 6,
     "stages": 7,
     "output": 7,
-    "numbers": 7,
+    "numbers": 4,
     "grounds": 7,
     "pdf": 8,
     "runner": 8,

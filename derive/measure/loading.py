@@ -23,4 +23,10 @@ def load(text: str, name: str = "emitted") -> ModuleType:
             spec.loader.exec_module(module)
         finally:
             del sys.modules[spec.name]
+        module.__dict__["__text__"] = text
         return module
+
+
+def text_of(module: ModuleType) -> str:
+    """The text of a module that was loaded here, so that another process can load it too."""
+    return str(module.__dict__["__text__"])

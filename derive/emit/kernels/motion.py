@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import asin, atan2, cos, exp, floor, larger, pi, pick, sin, spacing, sqrt
+from derive.emit.kernels.arithmetic import asin, atan2, cos, epsilon, exp, floor, larger, pi, pick, sin, spacing, sqrt
 from derive.emit.kernels.pieces import Piece, fall, onward, reach, slope
 from derive.emit.kernels.potential import fall_from_rest, moment_from_rest
 
@@ -57,6 +57,8 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
         half_width, left, far_moment, far_distance = parallel_side(beta, eta, piece, rise, drop, from_hill, depth)
     else:
         half_width, left, far_moment, far_distance = far_side(eta, piece, rise, drop, depth, done)
+        # Where a hill and a well nearly meet, rounding leaves nothing, or less, of a moment.
+        near_moment = larger(near_moment, 4 * epsilon() * abs(offset))
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
     whole_turn = basin.far.quarters - hill.quarters == 4 and basin.far.extra == hill.extra
     lack = (from_hill + far_distance) / 2 if whole_turn else pi - half_width
@@ -88,9 +90,10 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
 
 
 def unevenness(eta, field_angle, middle, sine, near, far):
-    """√far − √near: by the roots, or by far − near = 2η sin 2(middle − α) sin(half_width) where that is less."""
+    """√far − √near: by the roots where they are apart, else by far − near = 2η sin 2(middle − α) sin(half_width)."""
     by_turns = 2 * eta * sin(2 * (middle - field_angle)) * sine / (sqrt(near) + sqrt(far))
-    return pick(near + far < 2 * eta * sine, sqrt(far) - sqrt(near), by_turns)
+    apart = (8 * near < far) | (8 * far < near) | (near + far < 2 * eta * sine)
+    return pick(apart, sqrt(far) - sqrt(near), by_turns)
 
 
 def parallel_side(beta, eta, piece, rise, drop, from_hill, depth):
@@ -146,8 +149,9 @@ def far_side(eta, piece, rise, drop, depth, done):
     else:
         half_width = (turn + depth) / 2
     far_moment = pick(by_hill, slope(eta, far, -distance), slope(eta, far_well, distance)) * -1
+    far_moment = larger(far_moment, 4 * epsilon() * distance)
     if piece.high_kind == "turn":
-        left = beyond_clamp(eta, piece, drop, left)
+        left = larger(beyond_clamp(eta, piece, drop, left), 0)
     return half_width, left, far_moment, pick(by_hill, distance, down - distance)
 
 
@@ -170,7 +174,9 @@ def beyond_clamp(eta, piece, drop, rough):
     basin, rest, start = piece.basin, piece.clamp_rest, piece.clamp_offset
     high = -piece.high_depth
     amount = fall(eta, basin.well, high - drop, drop)
-    return pick(rough > 0.25 * abs(start), rough, onward(eta, rest, start, -amount, rough))
+    better = onward(eta, rest, start, -amount, rough)
+    # Newton's method leaves a place where V is nearly level for one far away.
+    return pick((rough > 0.25 * abs(start)) | (abs(better - rough) > 0.01), rough, better)
 
 
 def rates(beta, eta, field_angle, basin, tip, half_width, sine, near, far, height):
@@ -187,7 +193,8 @@ def rates(beta, eta, field_angle, basin, tip, half_width, sine, near, far, heigh
     apart = pick(2 * by_near > near, by_near, apart)
     apart = pick(2 * by_far > far, by_far, apart)
     apart = pick(mean - eta > 0.1 * eta, mean - eta, apart)
-    split = sine * sqrt(larger(apart * (mean + eta), 0) / pick(excess < 0, product - excess, 1))
+    apart = larger(apart, epsilon() * pick(near < far, near, far) / 4)
+    split = sine * sqrt(apart * (mean + eta) / pick(excess < 0, product - excess, 1))
     return sqrt(product / 2), pick(excess < 0, split, sqrt(product + larger(excess, 0))) / 2
 
 

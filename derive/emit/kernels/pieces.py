@@ -110,7 +110,9 @@ def onward(eta, rest, start, amount, rough):
     The rough value is good to rounding of the angles; where little of it is left, the slope of V at the start gives a
     better one. Newton's method does the rest.
     """
-    distance = pick(abs(rough) > 1e-3 * abs(start), rough, amount / slope(eta, rest, start))
+    steep = slope(eta, rest, start)
+    told = (abs(rough) > 1e-3 * abs(start)) | (steep == 0)
+    distance = pick(told, rough, amount / pick(told, 1, steep))
     for _ in range(40):
         force = slope(eta, rest, start + distance)
         step = (fall(eta, rest, start, distance) - amount) / pick(force == 0, 1, force)
@@ -162,7 +164,9 @@ def ridge_ground(eta, scene, at, drop):
     """The ground with a lower ridge."""
     rests = scene.rests
     level = reach(eta, rests[0], drop, rests[1].angle - rests[0].angle, 1)
-    return Ground(eta, scene, at, drop, level, fall(eta, rests[2], 0, at[2]))
+    # Near the far hill V says which is higher only by the distance from that hill.
+    height = pick(at[2] < -at[4], fall(eta, rests[2], 0, at[2]), fall(eta, rests[4], 0, at[4]) - drop)
+    return Ground(eta, scene, at, drop, level, height)
 
 
 def pieces(beta, eta, field_angle, scene, clamp):

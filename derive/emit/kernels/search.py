@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import ceil, deepest, epsilon, floor, inf, log, pi, sqrt
+from derive.emit.kernels.arithmetic import ceil, deepest, epsilon, floor, log, pi, sqrt
 from derive.emit.kernels.landscape import astroid_cusp, ridge_couple
 from derive.emit.kernels.motion import Motion, motion_at
 from derive.emit.kernels.pieces import fall, reach, slope
@@ -47,9 +47,6 @@ class Delay(NamedTuple):
     arrival: float
 
 
-NO_DELAY = Delay(inf, 0, 0, 0, 0)
-
-
 class Stay(NamedTuple):
     """A motion, and the lengths for which it stays near its tip, its middle, and its far turning point besides."""
 
@@ -63,12 +60,14 @@ class Stay(NamedTuple):
 def delays(piece):
     """The delays at both ends, beyond the depth at which squares of offsets would underflow."""
     basin, depth = piece.basin, deepest(piece.width)
-    far = slowness(basin.far)
+    if basin.hill.stiffness < epsilon() ** 8:  # so flat that the moment is as the cube of the offset
+        depth = 2 * depth / 3
+    far, none = slowness(basin.far), Delay(2 * depth, 0, 0, 0, 0)  # deeper, an offset would underflow
     if piece.low_kind == "level":
-        return Delay(depth, 0, 0, far / 2, 0), NO_DELAY
+        return Delay(depth, 0, 0, far / 2, 0), none
     low = Delay(depth, slowness(basin.hill), 0, far if basin.far_rise == 0 else 0, 0)
     if piece.high_kind != "level":
-        return low, NO_DELAY
+        return low, none
     ridge = slowness(basin.axis)
     behind = ridge_offset(piece)
     return low, Delay(depth, 0, ridge, 0, ridge if behind > 0 else ridge / 2 if behind == 0 else 0)
@@ -180,6 +179,7 @@ def grid(beta, eta, length, piece):
         # The tip of a stiff rod departs from the clamp angle by half the moment there times the length squared.
         moment = abs(slope(eta, piece.clamp_rest, piece.clamp_offset)) + epsilon() ** 20
         last = max(rounding, 4 + log(2 * piece.width) - log(moment) - 2 * log(length))
+        last = min(last, 2 * deepest(piece.width))
     inner = [0.0]
     for side, end in ((-1, -first), (1, last)):
         inner += [side * place for place in (1.25, 2.5, 5.0, 10.0) if place < end]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import any_of, atan2, epsilon, hypot, pi, pick, sin, sqrt
+from derive.emit.kernels.arithmetic import any_of, atan2, epsilon, hypot, larger, pi, pick, sin, sqrt
 from derive.emit.kernels.formulas import (
     back_below,
     back_below_rest,
@@ -43,8 +43,12 @@ def phase_of(motion):
     done, left = motion.done_sine, motion.left_sine
     whole = phase_sum(near, far, done, left)
     gap = sin((motion.left - motion.done) / 4)
-    cosine = phase_lead(near, motion.half_cosine, motion.uneven, done, gap) / whole
-    square, size, first = chi_square(far * done / whole, near * left / whole), abs(cosine), cosine >= 0
+    behind, ahead = far * done / whole, near * left / whole
+    lead = phase_lead(near, motion.half_cosine, motion.uneven, done, gap) / whole
+    cosine = pick(abs(ahead - behind) > 0.8, ahead - behind, lead)
+    # Not zero: at the tip itself the motion has no point by ℘.
+    square = larger(chi_square(behind, ahead), epsilon() ** 19)
+    size, first = abs(cosine), cosine >= 0
     delta = hypot(end * cosine, motion.middle * sqrt(square))
     half = pick(first, half_square(end, square, size, delta), half_square_beyond(end, size, delta))
     rest = pick(first, half_rest(end, size, delta), half_rest_beyond(end, motion.middle, square, size, delta))

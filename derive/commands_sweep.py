@@ -1,0 +1,174 @@
+"""`derive sweep`: complete branches over one parameter, with folds, stability and jumps."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Executor, ProcessPoolExecutor
+from contextlib import contextmanager
+from functools import partial
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+from rich.table import Table
+
+from derive import show
+from derive.cache import write_atomically
+from derive.commands import running, scene_path, solver
+from derive.diagrams import files
+from derive.diagrams.blocks import Rows, Store, blocks, solved
+from derive.diagrams.branches import Diagram, diagram
+from derive.diagrams.diagram_picture import draw
+from derive.diagrams.jumps import jumps
+from derive.diagrams.plotting import LETTERS, format_of
+from derive.diagrams.request import LOADS, Request, request
+from derive.diagrams.states import rows
+from derive.emit.kernels.folds import all_folds
+from derive.emit.scene import load_scene
+from derive.numbers import MistakeError
+
+BESIDE = 1e-9  # on both sides of a fold that is known, relative: an event between, and no other
+
+
+def run_sweep(options: argparse.Namespace) -> int:
+    """A diagram, or a family of them."""
+    if options.plot:
+        format_of(options.plot)
+    scene = load_scene(scene_path(options.scene))
+    asked = request(options.scene, scene.parameters, {name: getattr(options, name) for name in LOADS})
+    with running(options) as runner:
+        module = solver(runner, options.scene)
+    if not hasattr(module, "sweep"):
+        raise MistakeError(f"scene '{options.scene}' has no output 'sweep'; add it to its outputs")
+    folded = {name: float(value) for name, value in scene.folded.items()}
+    found = curves(options, module, asked, folded)
+    for number, one in enumerate(found, 1):
+        show_diagram(number if len(found) > 1 else 0, one)
+    write(options, found)
+    return 0
+
+
+def curves(options: argparse.Namespace, module: ModuleType, asked: Request, folded: dict[str, float]) -> list[Diagram]:
+    """All diagrams: the blocks of all curves first, by whatever computes them, and then the events."""
+    shipped = module.__name__.startswith("generated.")
+    name, text = (module.__name__, "") if shipped else ("", Path(str(module.__file__)).read_text(encoding="utf-8"))
+    lines = [sorted({*asked.values, *beside_folds(asked, fixed, folded)}) for fixed in asked.curves]
+    parts = [
+        list(blocks(name, text, asked.parameter, line, fixed)) for line, fixed in zip(lines, asked.curves, strict=True)
+    ]
+    todo = [block for part in parts for block in part]
+    try:
+        with executor(options, len(todo)) as pool, progress() as advance:
+            done = solved(todo, Store(options.store), pool, advance)
+    except OSError as error:
+        raise MistakeError(f"{error.filename or options.store}: cannot be written ({error.strerror})") from error
+    found = []
+    for line, part, fixed in zip(lines, parts, asked.curves, strict=True):
+        known = dict(zip(line, (row for block in part for row in done[block]), strict=True))
+        found.append(diagram(asked.parameter, line, solving(module, asked.parameter, fixed, known), fixed))
+    return found
+
+
+def solving(
+    module: ModuleType, parameter: str, fixed: dict[str, float], known: dict[float, Any]
+) -> Callable[[Sequence[float]], Rows]:
+    """The equilibria at values that are known, or by the module."""
+
+    def solve(values: Sequence[float]) -> Rows:
+        if all(value in known for value in values):
+            return [known[value] for value in values]
+        return rows(module, parameter, values, fixed)
+
+    return solve
+
+
+def beside_folds(asked: Request, fixed: dict[str, float], folded: dict[str, float]) -> Iterator[float]:
+    """Over η: values on both sides of every fold, so that none hides between two values."""
+    if asked.parameter != "eta":
+        return
+    rod = {**folded, **fixed}
+    low, high = asked.values[0], asked.values[-1]
+    for fold in all_folds(rod["beta"], rod["length"], rod["clamp_angle"], rod["field_angle"], low, high):
+        for value in (fold.eta * (1 - BESIDE), fold.eta * (1 + BESIDE)):
+            if low < value < high:
+                yield value
+
+
+@contextmanager
+def executor(options: argparse.Namespace, number: int) -> Iterator[Executor | None]:
+    """Where blocks are computed: a Dask cluster, processes, or here."""
+    if options.dask:
+        with cluster(options.dask) as pool:
+            yield pool
+    elif options.jobs > 1 and number > 1:
+        with ProcessPoolExecutor(options.jobs) as pool:
+            yield pool
+    else:
+        yield None
+
+
+@contextmanager
+def cluster(address: str) -> Iterator[Executor]:
+    """The executor of a Dask cluster; a block whose worker is lost runs again on another."""
+    try:
+        from distributed import Client
+    except ModuleNotFoundError as error:
+        raise MistakeError("--dask needs Dask's scheduler: pip install 'magnetic-rods[cluster]'") from error
+    try:
+        client = Client(address, timeout=5)
+    except (OSError, ValueError) as error:
+        raise MistakeError(f"--dask {address}: no scheduler answers there ({error or type(error).__name__})") from error
+    with client:
+        yield client.get_executor(retries=3)
+
+
+@contextmanager
+def progress() -> Iterator[Callable[[int, int], None]]:
+    """A bar with the time left, if the terminal is one."""
+    console = show.console(stderr=True)
+    columns = (TextColumn("blocks"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
+        line = bar.add_task("", total=None)
+        yield lambda done, total: bar.update(line, completed=done, total=total)
+
+
+def write(options: argparse.Namespace, found: list[Diagram]) -> None:
+    """The files that were asked for."""
+    texts = {options.json: files.json_text, options.csv: files.csv_text}
+    for path, text in texts.items():
+        if path:
+            attempt(path, partial(write_atomically, path, text(found)))
+    if options.npz:
+        data = files.npz_bytes(found)
+        attempt(options.npz, lambda: files.write_whole(options.npz, lambda stream: stream.write(data)))
+    if options.plot:
+        draw(found, options.show, options.plot)
+
+
+def attempt(path: Path, action: Callable[[], Any]) -> None:
+    """Write a file; MistakeError if that is not possible."""
+    try:
+        action()
+    except OSError as error:
+        raise MistakeError(f"{path}: cannot be written ({error.strerror}); choose another file") from error
+
+
+def show_diagram(number: int, one: Diagram) -> None:
+    """Branches, events and jumps of a diagram, as tables."""
+    letter, console = LETTERS[one.parameter], show.console()
+    fixed = ", ".join(f"{LETTERS[name]} = {value:.6g}" for name, value in one.fixed.items())
+    curve = f"curve {number}: " if number else ""
+    table = Table(title=f"{curve}{len(one.branches)} branches over {letter}; {fixed}", title_justify="left")
+    for heading in ("branch", "index", "from", "to", "θ(ℓ) from", "to"):
+        table.add_column(heading, justify="right")
+    for branch in one.branches:
+        ends = (f"{branch.values[0]:.16g} ({branch.starts})", f"{branch.values[-1]:.16g} ({branch.ends})")
+        tips = (f"{branch.states[0].tip_angle:.10f}", f"{branch.states[-1].tip_angle:.10f}")
+        table.add_row(str(branch.number), str(branch.index), *ends, *tips)
+    console.print(table)
+    for jump in jumps(one):
+        reaches = " or ".join(map(str, jump.reaches)) or "none that is stable"
+        ways = f"from branch {jump.leaves} to {reaches}"
+        console.print(f"loading {jump.direction}: {ways} at {letter} = {jump.value:.16g}")
