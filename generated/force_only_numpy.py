@@ -17,7 +17,7 @@ Formulas, each proved equal to its derivation:
     rest_fall, rest_moment, rest_stiffness, second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic,
     turn_level, turn_over (DLMF 4.21(iii)), turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7),
     w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 bee2921d1d97b73005da25f42ee4c27a08332f6924c90a5b2273b15bda45490c
+Digest of the inputs: sha256 f4340bd67d0c99e8a00d8ef6cf76ee129dd7a28b7a37636a8b58afea48b62bb9
 """
 
 from __future__ import annotations
@@ -769,7 +769,9 @@ def ridge_ground(scene, at, drop):
     """The ground with a lower ridge."""
     rests = scene.rests
     level = reach(rests[0], drop, rests[1].angle - rests[0].angle, 1)
-    return Ground(scene, at, drop, level, fall(rests[2], 0, at[2]))
+    # Near the far hill V says which is higher only by the distance from that hill.
+    height = pick(at[2] < -at[4], fall(rests[2], 0, at[2]), fall(rests[4], 0, at[4]) - drop)
+    return Ground(scene, at, drop, level, height)
 
 
 def ground_of(beta, scene, clamp):
@@ -914,7 +916,9 @@ def onward(rest, start, amount, rough):
     The rough value is good to rounding of the angles; where little of it is left, the slope of V at the start gives a
     better one. Newton's method does the rest.
     """
-    distance = pick(abs(rough) > 0.001 * abs(start), rough, amount / slope(rest, start))
+    steep = slope(rest, start)
+    told = (abs(rough) > 1e-3 * abs(start)) | (steep == 0)
+    distance = pick(told, rough, amount / pick(told, 1, steep))
     for _ in range(40):
         force = slope(rest, start + distance)
         step = (fall(rest, start, distance) - amount) / pick(force == 0, 1, force)
@@ -977,6 +981,11 @@ def pieces(beta, scene, clamp):
     return [build(ground) for here, build in ranges(ground) if here]
 
 
+def slowness(hill):
+    """Length per unit of the logarithm of the distance from a hill; a flat one is never come near enough to count."""
+    return 1 / sqrt(hill.stiffness) if hill.stiffness > 0 else 0
+
+
 class Delay(NamedTuple):
     """By how much a motion lasts longer when the place goes deeper by one, where that is all that changes.
 
@@ -991,11 +1000,6 @@ class Delay(NamedTuple):
     arrival: float
 
 
-def slowness(hill):
-    """Length per unit of the logarithm of the distance from a hill; a flat one is never come near enough to count."""
-    return 1 / sqrt(hill.stiffness) if hill.stiffness > 0 else 0
-
-
 def ridge_offset(piece):
     """Clamp less ridge, for a motion that passes the ridge."""
     ridge, rest = piece.basin.axis, piece.clamp_rest
@@ -1005,12 +1009,14 @@ def ridge_offset(piece):
 def delays(piece):
     """The delays at both ends, beyond the depth at which squares of offsets would underflow."""
     basin, depth = piece.basin, deepest(piece.width)
-    far = slowness(basin.far)
+    if basin.hill.stiffness < epsilon() ** 8:  # so flat that the moment is as the cube of the offset
+        depth = 2 * depth / 3
+    far, none = slowness(basin.far), Delay(2 * depth, 0, 0, 0, 0)  # deeper, an offset would underflow
     if piece.low_kind == "level":
-        return Delay(depth, 0, 0, far / 2, 0), Delay(inf, 0, 0, 0, 0)
+        return Delay(depth, 0, 0, far / 2, 0), none
     low = Delay(depth, slowness(basin.hill), 0, far if basin.far_rise == 0 else 0, 0)
     if piece.high_kind != "level":
-        return low, Delay(inf, 0, 0, 0, 0)
+        return low, none
     ridge = slowness(basin.axis)
     behind = ridge_offset(piece)
     return low, Delay(depth, 0, ridge, 0, ridge if behind > 0 else ridge / 2 if behind == 0 else 0)
@@ -1062,7 +1068,9 @@ def beyond_clamp(piece, drop, rough):
     basin, rest, start = piece.basin, piece.clamp_rest, piece.clamp_offset
     high = -piece.high_depth
     amount = fall(basin.well, high - drop, drop)
-    return pick(rough > 0.25 * abs(start), rough, onward(rest, start, -amount, rough))
+    better = onward(rest, start, -amount, rough)
+    # Newton's method leaves a place where V is nearly level for one far away.
+    return pick((rough > 0.25 * abs(start)) | (abs(better - rough) > 0.01), rough, better)
 
 
 def far_side(piece, rise, drop, depth, done):
@@ -1091,14 +1099,16 @@ def far_side(piece, rise, drop, depth, done):
     else:
         half_width = (turn + depth) / 2
     far_moment = pick(by_hill, slope(far, -distance), slope(far_well, distance)) * -1
+    far_moment = larger(far_moment, 4 * epsilon() * distance)
     if piece.high_kind == "turn":
-        left = beyond_clamp(piece, drop, left)
+        left = larger(beyond_clamp(piece, drop, left), 0)
     return half_width, left, far_moment, pick(by_hill, distance, down - distance)
 
 
 def unevenness(near, far):
-    """√far − √near: by the roots, or by far − near = 2η sin 2(middle − α) sin(half_width) where that is less."""
-    return pick(near + far < 0.0, sqrt(far) - sqrt(near), 0.0)
+    """√far − √near: by the roots where they are apart, else by far − near = 2η sin 2(middle − α) sin(half_width)."""
+    apart = (8 * near < far) | (8 * far < near) | (near + far < 0.0)
+    return pick(apart, sqrt(far) - sqrt(near), 0.0)
 
 
 def wrapped(angle):
@@ -1129,7 +1139,8 @@ def rates(beta, basin, tip, half_width, sine, near, far, height):
     apart = pick(2 * by_near > near, by_near, apart)
     apart = pick(2 * by_far > far, by_far, apart)
     apart = pick(mean > 0.0, mean, apart)
-    split = sine * sqrt(larger(apart * mean, 0) / pick(excess < 0, product - excess, 1))
+    apart = larger(apart, epsilon() * pick(near < far, near, far) / 4)
+    split = sine * sqrt(apart * mean / pick(excess < 0, product - excess, 1))
     return sqrt(product / 2), pick(excess < 0, split, sqrt(product + larger(excess, 0))) / 2
 
 
@@ -1156,6 +1167,8 @@ def motion_at(beta, piece: Piece, place):
         half_width, left, far_moment, far_distance = parallel_side(beta, piece, rise, drop, from_hill, depth)
     else:
         half_width, left, far_moment, far_distance = far_side(piece, rise, drop, depth, done)
+        # Where a hill and a well nearly meet, rounding leaves nothing, or less, of a moment.
+        near_moment = larger(near_moment, 4 * epsilon() * abs(offset))
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
     whole_turn = basin.far.quarters - hill.quarters == 4 and basin.far.extra == hill.extra
     lack = (from_hill + far_distance) / 2 if whole_turn else pi - half_width
@@ -1215,8 +1228,12 @@ def phase_of(motion):
     done, left = motion.done_sine, motion.left_sine
     whole = phase_sum(near, far, done, left)
     gap = sin((motion.left - motion.done) / 4)
-    cosine = phase_lead(near, motion.half_cosine, motion.uneven, done, gap) / whole
-    square, size, first = chi_square(far * done / whole, near * left / whole), abs(cosine), cosine >= 0
+    behind, ahead = far * done / whole, near * left / whole
+    lead = phase_lead(near, motion.half_cosine, motion.uneven, done, gap) / whole
+    cosine = pick(abs(ahead - behind) > 0.8, ahead - behind, lead)
+    # Not zero: at the tip itself the motion has no point by ℘.
+    square = larger(chi_square(behind, ahead), epsilon() ** 19)
+    size, first = abs(cosine), cosine >= 0
     delta = hypot(end * cosine, motion.middle * sqrt(square))
     half = pick(first, half_square(end, square, size, delta), half_square_beyond(end, size, delta))
     rest = pick(first, half_rest(end, size, delta), half_rest_beyond(end, motion.middle, square, size, delta))
@@ -1310,6 +1327,7 @@ def grid(beta, length, piece):
         # The tip of a stiff rod departs from the clamp angle by half the moment there times the length squared.
         moment = abs(slope(piece.clamp_rest, piece.clamp_offset)) + epsilon() ** 20
         last = max(rounding, 4 + log(2 * piece.width) - log(moment) - 2 * log(length))
+        last = min(last, 2 * deepest(piece.width))
     inner = [0.0]
     for side, end in ((-1, -first), (1, last)):
         inner += [side * place for place in (1.25, 2.5, 5.0, 10.0) if place < end]

@@ -18,7 +18,7 @@ Formulas, each proved equal to its derivation:
     second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic, turn_level, turn_over (DLMF 4.21(iii)),
     turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
     w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 f8d6f88540f05cc1974293b9162c062594560cf1478891e994e60c415c9363d9
+Digest of the inputs: sha256 e98c9f71b71ee241d1252f1df6f007147f9f5e5dd270493d011402dba6737b3d
 """
 
 from __future__ import annotations
@@ -862,7 +862,9 @@ def ridge_ground(eta, scene, at, drop):
     """The ground with a lower ridge."""
     rests = scene.rests
     level = reach(eta, rests[0], drop, rests[1].angle - rests[0].angle, 1)
-    return Ground(eta, scene, at, drop, level, fall(eta, rests[2], 0, at[2]))
+    # Near the far hill V says which is higher only by the distance from that hill.
+    height = pick(at[2] < -at[4], fall(eta, rests[2], 0, at[2]), fall(eta, rests[4], 0, at[4]) - drop)
+    return Ground(eta, scene, at, drop, level, height)
 
 
 def ground_of(beta, eta, scene, clamp):
@@ -1007,7 +1009,9 @@ def onward(eta, rest, start, amount, rough):
     The rough value is good to rounding of the angles; where little of it is left, the slope of V at the start gives a
     better one. Newton's method does the rest.
     """
-    distance = pick(abs(rough) > 1e-3 * abs(start), rough, amount / slope(eta, rest, start))
+    steep = slope(eta, rest, start)
+    told = (abs(rough) > 1e-3 * abs(start)) | (steep == 0)
+    distance = pick(told, rough, amount / pick(told, 1, steep))
     for _ in range(40):
         force = slope(eta, rest, start + distance)
         step = (fall(eta, rest, start, distance) - amount) / pick(force == 0, 1, force)
@@ -1070,6 +1074,11 @@ def pieces(beta, eta, scene, clamp):
     return [build(ground) for here, build in ranges(ground) if here]
 
 
+def slowness(hill):
+    """Length per unit of the logarithm of the distance from a hill; a flat one is never come near enough to count."""
+    return 1 / sqrt(hill.stiffness) if hill.stiffness > 0 else 0
+
+
 class Delay(NamedTuple):
     """By how much a motion lasts longer when the place goes deeper by one, where that is all that changes.
 
@@ -1084,11 +1093,6 @@ class Delay(NamedTuple):
     arrival: float
 
 
-def slowness(hill):
-    """Length per unit of the logarithm of the distance from a hill; a flat one is never come near enough to count."""
-    return 1 / sqrt(hill.stiffness) if hill.stiffness > 0 else 0
-
-
 def ridge_offset(piece):
     """Clamp less ridge, for a motion that passes the ridge."""
     ridge, rest = piece.basin.axis, piece.clamp_rest
@@ -1098,12 +1102,14 @@ def ridge_offset(piece):
 def delays(piece):
     """The delays at both ends, beyond the depth at which squares of offsets would underflow."""
     basin, depth = piece.basin, deepest(piece.width)
-    far = slowness(basin.far)
+    if basin.hill.stiffness < epsilon() ** 8:  # so flat that the moment is as the cube of the offset
+        depth = 2 * depth / 3
+    far, none = slowness(basin.far), Delay(2 * depth, 0, 0, 0, 0)  # deeper, an offset would underflow
     if piece.low_kind == "level":
-        return Delay(depth, 0, 0, far / 2, 0), Delay(inf, 0, 0, 0, 0)
+        return Delay(depth, 0, 0, far / 2, 0), none
     low = Delay(depth, slowness(basin.hill), 0, far if basin.far_rise == 0 else 0, 0)
     if piece.high_kind != "level":
-        return low, Delay(inf, 0, 0, 0, 0)
+        return low, none
     ridge = slowness(basin.axis)
     behind = ridge_offset(piece)
     return low, Delay(depth, 0, ridge, 0, ridge if behind > 0 else ridge / 2 if behind == 0 else 0)
@@ -1128,7 +1134,9 @@ def beyond_clamp(eta, piece, drop, rough):
     basin, rest, start = piece.basin, piece.clamp_rest, piece.clamp_offset
     high = -piece.high_depth
     amount = fall(eta, basin.well, high - drop, drop)
-    return pick(rough > 0.25 * abs(start), rough, onward(eta, rest, start, -amount, rough))
+    better = onward(eta, rest, start, -amount, rough)
+    # Newton's method leaves a place where V is nearly level for one far away.
+    return pick((rough > 0.25 * abs(start)) | (abs(better - rough) > 0.01), rough, better)
 
 
 def far_side(eta, piece, rise, drop, depth, done):
@@ -1157,15 +1165,17 @@ def far_side(eta, piece, rise, drop, depth, done):
     else:
         half_width = (turn + depth) / 2
     far_moment = pick(by_hill, slope(eta, far, -distance), slope(eta, far_well, distance)) * -1
+    far_moment = larger(far_moment, 4 * epsilon() * distance)
     if piece.high_kind == "turn":
-        left = beyond_clamp(eta, piece, drop, left)
+        left = larger(beyond_clamp(eta, piece, drop, left), 0)
     return half_width, left, far_moment, pick(by_hill, distance, down - distance)
 
 
 def unevenness(eta, middle, sine, near, far):
-    """√far − √near: by the roots, or by far − near = 2η sin 2(middle − α) sin(half_width) where that is less."""
+    """√far − √near: by the roots where they are apart, else by far − near = 2η sin 2(middle − α) sin(half_width)."""
     by_turns = 2 * eta * sin(2 * (middle - 0.5 * pi)) * sine / (sqrt(near) + sqrt(far))
-    return pick(near + far < 2 * eta * sine, sqrt(far) - sqrt(near), by_turns)
+    apart = (8 * near < far) | (8 * far < near) | (near + far < 2 * eta * sine)
+    return pick(apart, sqrt(far) - sqrt(near), by_turns)
 
 
 def wrapped(angle):
@@ -1199,7 +1209,8 @@ def rates(beta, eta, field_angle, basin, tip, half_width, sine, near, far, heigh
     apart = pick(2 * by_near > near, by_near, apart)
     apart = pick(2 * by_far > far, by_far, apart)
     apart = pick(mean - eta > 0.1 * eta, mean - eta, apart)
-    split = sine * sqrt(larger(apart * (mean + eta), 0) / pick(excess < 0, product - excess, 1))
+    apart = larger(apart, epsilon() * pick(near < far, near, far) / 4)
+    split = sine * sqrt(apart * (mean + eta) / pick(excess < 0, product - excess, 1))
     return sqrt(product / 2), pick(excess < 0, split, sqrt(product + larger(excess, 0))) / 2
 
 
@@ -1226,6 +1237,8 @@ def motion_at(beta, eta, piece: Piece, place):
         far_moment, far_distance = near_moment, from_hill
     else:
         half_width, left, far_moment, far_distance = far_side(eta, piece, rise, drop, depth, done)
+        # Where a hill and a well nearly meet, rounding leaves nothing, or less, of a moment.
+        near_moment = larger(near_moment, 4 * epsilon() * abs(offset))
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
     whole_turn = basin.far.quarters - hill.quarters == 4 and basin.far.extra == hill.extra
     lack = (from_hill + far_distance) / 2 if whole_turn else pi - half_width
@@ -1285,8 +1298,12 @@ def phase_of(motion):
     done, left = motion.done_sine, motion.left_sine
     whole = phase_sum(near, far, done, left)
     gap = sin((motion.left - motion.done) / 4)
-    cosine = phase_lead(near, motion.half_cosine, motion.uneven, done, gap) / whole
-    square, size, first = chi_square(far * done / whole, near * left / whole), abs(cosine), cosine >= 0
+    behind, ahead = far * done / whole, near * left / whole
+    lead = phase_lead(near, motion.half_cosine, motion.uneven, done, gap) / whole
+    cosine = pick(abs(ahead - behind) > 0.8, ahead - behind, lead)
+    # Not zero: at the tip itself the motion has no point by ℘.
+    square = larger(chi_square(behind, ahead), epsilon() ** 19)
+    size, first = abs(cosine), cosine >= 0
     delta = hypot(end * cosine, motion.middle * sqrt(square))
     half = pick(first, half_square(end, square, size, delta), half_square_beyond(end, size, delta))
     rest = pick(first, half_rest(end, size, delta), half_rest_beyond(end, motion.middle, square, size, delta))
@@ -1380,6 +1397,7 @@ def grid(beta, eta, length, piece):
         # The tip of a stiff rod departs from the clamp angle by half the moment there times the length squared.
         moment = abs(slope(eta, piece.clamp_rest, piece.clamp_offset)) + epsilon() ** 20
         last = max(rounding, 4 + log(2 * piece.width) - log(moment) - 2 * log(length))
+        last = min(last, 2 * deepest(piece.width))
     inner = [0.0]
     for side, end in ((-1, -first), (1, last)):
         inner += [side * place for place in (1.25, 2.5, 5.0, 10.0) if place < end]

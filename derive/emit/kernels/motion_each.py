@@ -2,14 +2,14 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 351ecc659ec3b150dc6dbc61dd593a26ef8b82a925ac5c83991c272ef001ae6f
+Digest of the inputs: sha256 5f697c795984e2c347c32efd36d5dc6b178e6b83dc00c748086700be5981ed4c
 """
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import pi
+from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import (
     each_abs,
     each_asin,
@@ -75,6 +75,8 @@ def motion_at_each(beta, eta, field_angle, piece: PieceEach, place):
         half_width, left, far_moment, far_distance = parallel_side_each(beta, eta, piece, rise, drop, from_hill, depth)
     else:
         half_width, left, far_moment, far_distance = far_side_each(eta, piece, rise, drop, depth, done)
+        # Where a hill and a well nearly meet, rounding leaves nothing, or less, of a moment.
+        near_moment = larger(near_moment, 4 * epsilon() * each_abs(offset))
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
     whole_turn = basin.far.quarters - hill.quarters == 4 and basin.far.extra == hill.extra
     lack = (from_hill + far_distance) / 2 if whole_turn else pi - half_width
@@ -106,9 +108,10 @@ def motion_at_each(beta, eta, field_angle, piece: PieceEach, place):
 
 
 def unevenness_each(eta, field_angle, middle, sine, near, far):
-    """√far − √near: by the roots, or by far − near = 2η sin 2(middle − α) sin(half_width) where that is less."""
+    """√far − √near: by the roots where they are apart, else by far − near = 2η sin 2(middle − α) sin(half_width)."""
     by_turns = 2 * eta * each_sin(2 * (middle - field_angle)) * sine / (each_sqrt(near) + each_sqrt(far))
-    return pick(near + far < 2 * eta * sine, each_sqrt(far) - each_sqrt(near), by_turns)
+    apart = (8 * near < far) | (8 * far < near) | (near + far < 2 * eta * sine)
+    return pick(apart, each_sqrt(far) - each_sqrt(near), by_turns)
 
 
 def parallel_side_each(beta, eta, piece, rise, drop, from_hill, depth):
@@ -167,8 +170,9 @@ def far_side_each(eta, piece, rise, drop, depth, done):
     else:
         half_width = (turn + depth) / 2
     far_moment = pick(by_hill, slope_each(eta, far, -distance), slope_each(eta, far_well, distance)) * -1
+    far_moment = larger(far_moment, 4 * epsilon() * distance)
     if piece.high_kind == "turn":
-        left = beyond_clamp_each(eta, piece, drop, left)
+        left = larger(beyond_clamp_each(eta, piece, drop, left), 0)
     return half_width, left, far_moment, pick(by_hill, distance, down - distance)
 
 
@@ -191,7 +195,9 @@ def beyond_clamp_each(eta, piece, drop, rough):
     basin, rest, start = piece.basin, piece.clamp_rest, piece.clamp_offset
     high = -piece.high_depth
     amount = fall_each(eta, basin.well, high - drop, drop)
-    return pick(rough > 0.25 * each_abs(start), rough, onward_each(eta, rest, start, -amount, rough))
+    better = onward_each(eta, rest, start, -amount, rough)
+    # Newton's method leaves a place where V is nearly level for one far away.
+    return pick((rough > 0.25 * each_abs(start)) | (each_abs(better - rough) > 0.01), rough, better)
 
 
 def rates_each(beta, eta, field_angle, basin, tip, half_width, sine, near, far, height):
@@ -208,7 +214,8 @@ def rates_each(beta, eta, field_angle, basin, tip, half_width, sine, near, far, 
     apart = pick(2 * by_near > near, by_near, apart)
     apart = pick(2 * by_far > far, by_far, apart)
     apart = pick(mean - eta > 0.1 * eta, mean - eta, apart)
-    split = sine * each_sqrt(larger(apart * (mean + eta), 0) / pick(excess < 0, product - excess, 1))
+    apart = larger(apart, epsilon() * pick(near < far, near, far) / 4)
+    split = sine * each_sqrt(apart * (mean + eta) / pick(excess < 0, product - excess, 1))
     return each_sqrt(product / 2), pick(excess < 0, split, each_sqrt(product + larger(excess, 0))) / 2
 
 

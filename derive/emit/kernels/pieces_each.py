@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/pieces.py: do not edit, change that file.
 
-Digest of the inputs: sha256 2bb59ebaa3a10a7db1943b7095ab97743c14366cf4b044ce4f4ff9ecac27e729
+Digest of the inputs: sha256 263b37cda7364fea87d4c4acd6ce2b63d8f748e3c33ab9ed62dda463a3f0d389
 """
 
 from __future__ import annotations
@@ -122,7 +122,9 @@ def onward_each(eta, rest, start, amount, rough):
     The rough value is good to rounding of the angles; where little of it is left, the slope of V at the start gives a
     better one. Newton's method does the rest.
     """
-    distance = pick(each_abs(rough) > 0.001 * each_abs(start), rough, amount / slope_each(eta, rest, start))
+    steep = slope_each(eta, rest, start)
+    told = (each_abs(rough) > 0.001 * each_abs(start)) | (steep == 0)
+    distance = pick(told, rough, amount / pick(told, 1, steep))
     for _ in range(40):
         force = slope_each(eta, rest, start + distance)
         step = (fall_each(eta, rest, start, distance) - amount) / pick(force == 0, 1, force)
@@ -174,7 +176,9 @@ def ridge_ground_each(eta, scene, at, drop):
     """The ground with a lower ridge."""
     rests = scene.rests
     level = reach_each(eta, rests[0], drop, rests[1].angle - rests[0].angle, 1)
-    return GroundEach(eta, scene, at, drop, level, fall_each(eta, rests[2], 0, at[2]))
+    # Near the far hill V says which is higher only by the distance from that hill.
+    height = pick(at[2] < -at[4], fall_each(eta, rests[2], 0, at[2]), fall_each(eta, rests[4], 0, at[4]) - drop)
+    return GroundEach(eta, scene, at, drop, level, height)
 
 
 def pieces_each(beta, eta, field_angle, scene, clamp):

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/swing.py: do not edit, change that file.
 
-Digest of the inputs: sha256 40b2cf776198f3b46a289955e4212f9e7fc088f906ba8542930beaa8048504c3
+Digest of the inputs: sha256 9e57e611a2134724cd16ad5677304c62a8bb695aed6d71946b7c1ce1d648fe34
 """
 
 from __future__ import annotations
@@ -10,7 +10,16 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import epsilon, pi
-from derive.emit.kernels.array_arithmetic import any_of, each_abs, each_atan2, each_hypot, each_sin, each_sqrt, pick
+from derive.emit.kernels.array_arithmetic import (
+    any_of,
+    each_abs,
+    each_atan2,
+    each_hypot,
+    each_sin,
+    each_sqrt,
+    larger,
+    pick,
+)
 from derive.emit.kernels.formulas_each import (
     back_below_each,
     back_below_rest_each,
@@ -49,8 +58,12 @@ def phase_of_each(motion):
     done, left = motion.done_sine, motion.left_sine
     whole = phase_sum_each(near, far, done, left)
     gap = each_sin((motion.left - motion.done) / 4)
-    cosine = phase_lead_each(near, motion.half_cosine, motion.uneven, done, gap) / whole
-    square, size, first = chi_square_each(far * done / whole, near * left / whole), each_abs(cosine), cosine >= 0
+    behind, ahead = far * done / whole, near * left / whole
+    lead = phase_lead_each(near, motion.half_cosine, motion.uneven, done, gap) / whole
+    cosine = pick(each_abs(ahead - behind) > 0.8, ahead - behind, lead)
+    # Not zero: at the tip itself the motion has no point by ℘.
+    square = larger(chi_square_each(behind, ahead), epsilon() ** 19)
+    size, first = each_abs(cosine), cosine >= 0
     delta = each_hypot(end * cosine, motion.middle * each_sqrt(square))
     half = pick(first, half_square_each(end, square, size, delta), half_square_beyond_each(end, size, delta))
     rest = pick(first, half_rest_each(end, size, delta), half_rest_beyond_each(end, motion.middle, square, size, delta))
