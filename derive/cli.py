@@ -71,7 +71,9 @@ def parser() -> argparse.ArgumentParser:
     )
 
     add = commands.add_parser("solve", parents=[common], help="all equilibria of one rod")
-    add.add_argument("scene", metavar="SCENE", help="shipped scene, or a scene file")
+    from derive.commands_solve import add_options
+
+    add_options(add)
     for name in NUMBERS:
         add.add_argument(f"--{name}", metavar="X", help="a number; multiples of pi as in 3*pi/4")
     return top

@@ -24,7 +24,7 @@ MAY_VANISH = {"field", "force"}
 class PhysicalRod:
     """A rod and its loads. Lengths in the unit of the rod's length; bending: EI in N m²; eta_per: η m² of a field of 1 A/m.
 
-    units: those of length, field and force in the file; turned: whether angles were given in degrees.
+    units: those of length, field and force in the file; degrees: whether its angles are.
     """
 
     length: float
@@ -36,6 +36,7 @@ class PhysicalRod:
     force: float
     clamp_angle: float
     field_angle: float
+    degrees: bool
     units: Mapping[str, Any]
 
     @property
@@ -107,6 +108,7 @@ def read_rod(path: Path) -> PhysicalRod:
         float(given["field"].magnitude),
         float(given["force"].magnitude),
         **angles,
+        degrees=any("deg" in str(table[key]) or "°" in str(table[key]) for key in ANGLES),
         units={name: given[name].units for name in ("length", "field", "force")},
     )
 
