@@ -5,36 +5,22 @@ from __future__ import annotations
 import argparse
 import json
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from math import radians
 from pathlib import Path
 from typing import Any
 
 from rich.markup import escape
-from rich.table import Table
 
 from derive import commands, output, show
 from derive.diagrams import aim, picture
 from derive.diagrams.problem import SMALL, Problem
 from derive.diagrams.rod_file import read_rod
+from derive.diagrams.tables import table
 from derive.diagrams.units import AskError
 from derive.numbers import MistakeError, given_numbers, number, parameters, spelled_option
 
 GENERAL = "oblique"  # the scene in which a rod from a file is solved
-
-
-def add_options(add: argparse.ArgumentParser) -> None:
-    """The options of the command, but for the rod's numbers."""
-    add.add_argument("scene", nargs="?", metavar="SCENE", help="shipped scene, or a scene file; none with --rod")
-    add.add_argument("--rod", type=Path, metavar="FILE", help="rod, particles and loads in physical units (TOML)")
-    add.add_argument("--degrees", action="store_true", help="angles in degrees, given and shown")
-    add.add_argument("--max-index", type=int, metavar="N", help="leave out what is less stable; 0: stable ones only")
-    add.add_argument("--csv", type=Path, metavar="FILE", help="write the shapes: s, theta, curvature, y, z")
-    add.add_argument("--points", type=int, default=201, metavar="N", help="places along a rod in the CSV (default 201)")
-    add.add_argument("--plot", type=Path, metavar="FILE", help="draw the equilibria (.svg, .png or .pdf)")
-    add.add_argument("--target", metavar="y=X", help="find what brings the tip to y=X, z=X or angle=X")
-    add.add_argument("--vary", choices=[*aim.VARIED], default="eta", help="what is varied for it (default: the field)")
-    add.add_argument("--range", metavar="LOW:HIGH", help="the range in which it is sought")
 
 
 def run_solve(options: argparse.Namespace) -> int:
@@ -108,9 +94,9 @@ def listed(problem: Problem, options: argparse.Namespace) -> int:
         raise MistakeError(str(error)) from error
     found = sorted(found, key=lambda one: (one.index, one.tip_angle))
     rows = [{"number": k, **problem.row(one)} for k, one in enumerate(found, 1)]
-    given = ", ".join(f"{name} = {value:.12g}" for name, value in problem.values.items())
-    show.console().print(escape(f"{len(found)} equilibria: {given}"), soft_wrap=True)
-    table([*problem.columns().values()], (cells(row, problem) for row in rows))
+    count = "1 equilibrium" if len(found) == 1 else f"{len(found)} equilibria"
+    show.console().print(escape(f"{count}: {problem.title()}"), soft_wrap=True)
+    table(show.console(), [*problem.columns().values()], (cells(row, problem) for row in rows))
     data: dict[str, Any] = {"scene": problem.scene, "parameters": dict(problem.values)}
     if problem.rod:
         data |= {"units": {name: f"{unit:~}" for name, unit in problem.rod.units.items()} | {"energy": "J"}}
@@ -129,7 +115,10 @@ def aimed(problem: Problem, options: argparse.Namespace) -> int:
     name = aim.VARIED[options.vary]
     coordinate, value = aim.goal(problem, options.target, number)
     low, high = aim.limits(problem, name, options.range, number)
-    reach = aim.reached(problem, name, coordinate, value, low, high)
+    try:
+        reach = aim.reached(problem, name, coordinate, value, low, high)
+    except ValueError as error:
+        raise MistakeError(str(error)) from error
     hits = [hit for hit in reach.hits if options.max_index is None or hit.equilibrium.index <= options.max_index]
     title, unit = aim.label(problem, name)
     ends = [aim.outward(problem, name, end) for end in (low, high)]
@@ -140,9 +129,12 @@ def aimed(problem: Problem, options: argparse.Namespace) -> int:
     if not hits:
         better = " with --max-index left out" if reach.hits else ""
         more = f"; it is reached{better}" if better else "; choose a target in there, or another --range or --vary"
-        raise MistakeError(f"--target {options.target}: no {'such ' if better else ''}equilibrium has it: {between}{more}")
+        raise MistakeError(
+            f"--target {options.target}: no {'such ' if better else ''}equilibrium has it: {between}{more}"
+        )
     console = show.console()
-    console.print(escape(f"{len(hits)} settings with {options.target}; {between}"), soft_wrap=True)
+    count = "1 setting" if len(hits) == 1 else f"{len(hits)} settings"
+    console.print(escape(f"{count} with {options.target}; {between}"), soft_wrap=True)
     hits.sort(key=lambda hit: (hit.equilibrium.index, hit.parameter))
     rows = [
         {"number": k, title.replace(" ", "_"): aim.outward(problem, name, hit.parameter), name: hit.parameter}
@@ -151,7 +143,7 @@ def aimed(problem: Problem, options: argparse.Namespace) -> int:
     ]
     first = f"{title} [{unit}]" if unit else title
     key = title.replace(" ", "_")
-    table([first, *problem.columns().values()], ([*cells(row, problem, key)] for row in rows))
+    table(show.console(), [first, *problem.columns().values()], ([*cells(row, problem, key)] for row in rows))
     data: dict[str, Any] = {"scene": problem.scene, "target": options.target, "vary": name, "range": [low, high]}
     if problem.rod:
         data["epsilon"] = smallness(problem, [hit.equilibrium for hit in hits])
@@ -163,16 +155,6 @@ def cells(row: dict[str, Any], problem: Problem, *first: str) -> list[str]:
     """A line of the table."""
     numbers = [f"{float(row[key]):.11g}" for key in (*first, *problem.columns())]
     return [str(row["number"]), *numbers, str(row["index"]), "stable" if row["stable"] else "unstable"]
-
-
-def table(names: Sequence[str], lines: Iterable[Sequence[str]]) -> None:
-    """Print a table of numbers."""
-    found = Table(show_edge=False)
-    for name in ("no.", *names, "index", ""):
-        found.add_column(escape(name), justify="right", no_wrap=True)
-    for line in lines:
-        found.add_row(*line)
-    show.console().print(found)
 
 
 def smallness(problem: Problem, found: Sequence[Any]) -> list[float]:

@@ -66,7 +66,8 @@ def inward(problem: Problem, name: str, text: str, number: Number) -> float:
     if not problem.rod:
         return number("--range", text)
     unit = problem.rod.units["field" if name == "eta" else "force"]
-    value = float(quantity(text, f"{unit:~}", "--range").to(unit).magnitude) if has_unit(text) else number("--range", text)
+    united = has_unit(text)
+    value = float(quantity(text, f"{unit:~}", "--range").to(unit).magnitude) if united else number("--range", text)
     if value < 0:
         return -1.0  # refused by the caller, whatever its size
     return problem.rod.eta(value) if name == "eta" else problem.rod.beta(value)
@@ -95,7 +96,7 @@ def reached(problem: Problem, name: str, coordinate: str, value: float, low: flo
     """All values of the parameter that bring the tip there."""
 
     def solve(parameter: float) -> list[Any]:
-        return problem.equilibria(**{name: parameter})
+        return problem.equilibria(None, {name: parameter})
 
     full = problem.full
     cuts = []

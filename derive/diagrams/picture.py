@@ -29,13 +29,17 @@ class Curve:
 
 @dataclass(frozen=True)
 class View:
-    """What is drawn beside the curves. field_angle: None without a field; force: whether there is one; unit: of length."""
+    """What is drawn beside the curves.
+
+    field_angle: None without a field. force: whether there is one. unit: of length. turn: of angles.
+    """
 
     length: float
     clamp_angle: float
     field_angle: float | None
     force: bool
     unit: str
+    turn: str
 
 
 def suffix_of(name: str) -> str:
@@ -77,7 +81,8 @@ def draw_clamp(axes: Any, view: View) -> None:
     """A hatched wall across the rod's first direction."""
     size, angle = view.length / 80, view.clamp_angle
     across, behind = (cos(angle), -sin(angle)), (-sin(angle), -cos(angle))  # as (z, y)
-    axes.plot([-7 * size * across[0], 7 * size * across[0]], [-7 * size * across[1], 7 * size * across[1]], color=INK, lw=2.5)
+    zs, ys = ([-7 * size * part, 7 * size * part] for part in across)
+    axes.plot(zs, ys, color=INK, lw=2.5)
     for step in range(-6, 7, 2):
         foot = [step * size * part for part in across]
         end = [f + 3 * size * b + 2 * size * a for f, b, a in zip(foot, behind, across, strict=True)]
@@ -96,10 +101,10 @@ def arrow(axes: Any, start: tuple[float, float], along: tuple[float, float], tex
 def draw_curve(axes: Any, curve: Curve, colour: str, view: View, *, label: bool) -> None:
     """A rod: solid if stable, else dashed, with its number and the force at its tip."""
     state = "stable" if curve.index == 0 else f"unstable, index {curve.index}"
-    name = f"{curve.number}: {state}, θ(ℓ) = {curve.tip_angle:.4g}" if label else None
+    name = f"{curve.number}: {state}, θ(ℓ) = {curve.tip_angle:.4g}{view.turn}" if label else None
     axes.plot(curve.z, curve.y, "-" if curve.index == 0 else "--", color=colour, lw=2.2, label=name)
     tip = (curve.z[-1], curve.y[-1])
-    axes.annotate(str(curve.number), tip, (-11, -4), textcoords="offset points", color=colour, fontweight="bold")
+    axes.annotate(str(curve.number), tip, (6, -11), textcoords="offset points", color=colour, fontweight="bold")
     if view.force:
         arrow(axes, tip, (0.0, 0.14 * view.length), "F")
 

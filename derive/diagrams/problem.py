@@ -33,9 +33,27 @@ class Problem:
         """The unit of length, or nothing."""
         return f"{self.rod.units['length']:~P}" if self.rod else ""
 
-    def equilibria(self, max_index: int | None = None, **changes: float) -> list[Any]:
+    @property
+    def turn(self) -> str:
+        """The unit of angles, or nothing."""
+        return "°" if self.in_degrees else ""
+
+    def title(self) -> str:
+        """The rod in a line."""
+        if not self.rod:
+            return ", ".join(f"{name} = {value:.12g}" for name, value in self.values.items())
+        rod, full = self.rod, self.full
+        units = {name: f"{unit:~P}" for name, unit in rod.units.items()}
+        return (
+            f"length {rod.length:g} {units['length']}, clamp at {self.angle(rod.clamp_angle):g}{self.turn}, "
+            f"field {rod.field:g} {units['field']} at {self.angle(rod.field_angle):g}{self.turn}, "
+            f"force {rod.force:g} {units['force']}; "
+            f"ηℓ² = {full['eta'] * rod.length**2:.6g}, βℓ² = {full['beta'] * rod.length**2:.6g}"
+        )
+
+    def equilibria(self, max_index: int | None = None, changes: Mapping[str, float] | None = None) -> list[Any]:
         """All equilibria, sorted by tip angle; changes: other values than the rod's."""
-        found: list[Any] = self.module.equilibria(**{**self.values, **changes}, max_index=max_index)
+        found: list[Any] = self.module.equilibria(**{**self.values, **(changes or {})}, max_index=max_index)
         return found
 
     def shape(self, one: Any, s: Any) -> Any:
@@ -53,7 +71,7 @@ class Problem:
 
     def columns(self) -> dict[str, str]:
         """What is shown of an equilibrium, with its name and unit."""
-        unit, turn = self.unit, "°" if self.in_degrees else ""
+        unit, turn = self.unit, self.turn
         # A curvature is in radians per length whatever angles are given in, as θ′ is.
         units = {"tip_angle": turn, "clamp_curvature": f"1/{unit}" if unit else "", "y": unit, "z": unit}
         units |= {"energy": "J" if self.rod else ""}
@@ -62,7 +80,8 @@ class Problem:
 
     def row(self, one: Any) -> dict[str, Any]:
         """What is shown of an equilibrium, in the rod's units."""
-        found = {key: getattr(one, key) for key in ("tip_angle", "clamp_curvature", "gamma", "y", "z", "energy", "index")}
+        keys = ("tip_angle", "clamp_curvature", "gamma", "y", "z", "energy", "index")
+        found = {key: getattr(one, key) for key in keys}
         found["tip_angle"] = self.angle(one.tip_angle)
         if self.rod:
             # The solver's energy is over EI.
@@ -87,7 +106,7 @@ class Problem:
     def view(self) -> View:
         """What a picture shows besides."""
         field = self.full["field_angle"] if self.full["eta"] > 0 else None
-        return View(self.full["length"], self.full["clamp_angle"], field, self.full["beta"] > 0, self.unit)
+        return View(self.full["length"], self.full["clamp_angle"], field, self.full["beta"] > 0, self.unit, self.turn)
 
     def csv(self, found: Sequence[Any], points: int) -> str:
         """The shapes as a table: a header, then one line for each place on each equilibrium."""

@@ -22,8 +22,9 @@ MAY_VANISH = {"field", "force"}
 
 @dataclass(frozen=True)
 class PhysicalRod:
-    """A rod and its loads. Lengths in the unit of the rod's length; bending: EI in N m²; eta_per: η m² of a field of 1 A/m.
+    """A rod and its loads. Lengths in the unit of the rod's length, angles in radians.
 
+    bending: EI, N m². chi: χ of a particle. eta_per: η in 1/m² of a field of 1 A/m. field, force: in the file's units.
     units: those of length, field and force in the file; degrees: whether its angles are.
     """
 
@@ -126,8 +127,9 @@ def read_table(path: Path) -> dict[str, Any]:
             raise AskError(f"{path}: {key}: unknown key; possible: {', '.join(KEYS)}")
     for key in KEYS:
         if key not in table and key not in OPTIONAL:
-            example = f' = "1 {QUANTITIES[key]}"' if key in QUANTITIES else ' = "90 degree"' if key in ANGLES else " = 10"
-            raise AskError(f"{path}: {key} is missing; add a line such as {key}{example}")
+            example = f'"1 {QUANTITIES[key]}"' if key in QUANTITIES else '"90 degree"' if key in ANGLES else "10"
+            example = "0.1" if key == "volume_fraction" else example
+            raise AskError(f"{path}: {key} is missing; add a line such as {key} = {example}")
     return table
 
 
@@ -139,9 +141,10 @@ def quantity_at(table: Mapping[str, Any], path: Path, key: str) -> Any:
     in_amperes = key == "field" and "A" in value and not value.rstrip().endswith("T")
     found = quantity(value, "A/m" if in_amperes else like, where)
     if found.magnitude < 0 or (found.magnitude == 0 and key not in MAY_VANISH):
-        mend = "turn it by its angle instead" if key == "field" else "it must be " + (
-            "at least 0 (the force points along y)" if key == "force" else "positive"
-        )
+        mend = {
+            "field": "it must be at least 0; its direction is field_angle",
+            "force": "it must be at least 0; it points along y",
+        }.get(key, "it must be positive")
         raise AskError(f'{where}: "{value}" is not possible; {mend}')
     return found
 
@@ -172,4 +175,4 @@ def must_be_a_rod(given: Mapping[str, Any], pure: Mapping[str, float], path: Pat
         if pure.get(key, 1.0) <= 0:
             raise AskError(f"{path}: {key}: {pure[key]:g} must be positive: a paramagnetic particle")
     if given["diameter"] >= given["length"]:
-        raise AskError(f"{path}: diameter: {given['diameter']:~} is no less than the length; a rod is longer than thick")
+        raise AskError(f"{path}: diameter: {given['diameter']:~} is no less than the length; a rod is longer than that")

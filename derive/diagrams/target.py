@@ -1,8 +1,8 @@
 """All values of a parameter at which the tip of an equilibrium is where it is wanted.
 
-Two equilibria never share a tip angle: with it and θ′(ℓ) = 0 they would be the same. So between two values at which their
-number changes they keep their order, and the k-th one moves smoothly. Each interval between such values is sampled in
-an angle u, in which the parameter is a cosine: where two equilibria meet at an end they part as the square root, and
+Two equilibria never share a tip angle: with it and θ′(ℓ) = 0 they would be the same. So between two values at which
+their number changes they keep their order, and the k-th one moves smoothly. Each interval between such values is
+sampled in an angle u, in which the parameter is a cosine: where two equilibria meet at an end they part as the square root, and
 in u they are smooth. Sign changes are refined; so are extrema that could reach the target.
 """
 
@@ -11,15 +11,16 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
+from derive.diagrams.nearest import extrema
 from derive.emit.kernels.search import bracketed_root
 
 SAMPLES = 33  # to begin with, on each interval
 END = 1e-6  # how far in u from an end, which itself has two equilibria in one
 DEPTH = 5  # how often an interval between samples is halved
 STRAIGHT = 0.01  # how far, as a share of its whole range, a coordinate may miss the middle of its neighbours
-GOLDEN = (3 - math.sqrt(5)) / 2
 
 Solver = Callable[[float], Sequence[Any]]  # parameter → equilibria, sorted by tip angle
 Point = tuple[float, tuple[float, ...]]  # u, and the coordinate of each equilibrium
@@ -77,7 +78,7 @@ def reaching(solve: Solver, coordinate: str, goal: float, low: float, high: floa
     """
     hits: list[Hit] = []
     ends = [low, *sorted(cut for cut in set(cuts) if low < cut < high), high]
-    todo = list(zip(ends, ends[1:], strict=False))[::-1]
+    todo = list(pairwise(ends))[::-1]
     least, most = math.inf, -math.inf
     while todo:
         start, stop = todo.pop()
@@ -134,7 +135,7 @@ def sampled(stretch: Stretch) -> list[Point]:
     points = [(u, stretch.values(u)) for u in (END + k * step for k in range(SAMPLES))]
     for _ in range(DEPTH):
         spans = [max(values) - min(values) or 1.0 for values in zip(*(p[1] for p in points), strict=True)]
-        bent = [k for k in range(1, len(points) - 1) if bends(*points[k - 1 : k + 2], spans)]
+        bent = [k for k in range(1, len(points) - 1) if bends(points[k - 1], points[k], points[k + 1], spans)]
         sides = sorted({k + side for k in bent for side in (-1, 0)})
         if not sides:
             break
@@ -159,7 +160,7 @@ def hits_of(stretch: Stretch, points: Sequence[Point], k: int, goal: float) -> l
     places = [(u, values[k] - goal) for u, values in points]
     places = sorted({*places, *extrema(miss, places)})
     found = [u for u, value in places if value == 0]
-    for (u, value), (other, value_there) in zip(places, places[1:], strict=False):
+    for (u, value), (other, value_there) in pairwise(places):
         if value * value_there < 0:
             middle = (u + other) / 2
             found.append(bracketed_root(miss, (u, other, middle), (value, value_there, miss(middle)), 0.0))
@@ -170,36 +171,3 @@ def hit_at(stretch: Stretch, u: float, k: int) -> Hit:
     """The equilibrium itself."""
     parameter = stretch.parameter(u)
     return Hit(parameter, stretch.solve(parameter)[k], k + 1, stretch.count)
-
-
-def extrema(miss: Callable[[float], float], places: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Extrema near the goal, between samples that are all on one side of it, by golden sections."""
-    found = []
-    for (left, one), (middle, two), (right, three) in zip(places, places[1:], places[2:], strict=False):
-        # All on one side, the middle nearest to the goal, and nearer than its neighbours' bend may carry it.
-        if one * two > 0 and two * three > 0 and abs(two) <= min(abs(one), abs(three)):
-            reach = max(abs(one), abs(three)) - abs(two)
-            if abs(two) <= reach:
-                found.append(nearest(miss, left, middle, right, two))
-    return found
-
-
-def nearest(
-    miss: Callable[[float], float], left: float, middle: float, right: float, value: float
-) -> tuple[float, float]:
-    """Where the curve comes nearest to the goal, or the first place beyond it."""
-    side = math.copysign(1.0, value)
-    while right - left > 1e-8:
-        wide = right - middle > middle - left
-        trial = middle + GOLDEN * ((right if wide else left) - middle)
-        new = miss(trial)
-        if new * side <= 0:
-            return trial, new
-        if new * side < value * side:
-            left, right = (middle, right) if wide else (left, middle)
-            middle, value = trial, new
-        elif wide:
-            right = trial
-        else:
-            left = trial
-    return middle, value
