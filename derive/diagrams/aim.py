@@ -96,7 +96,10 @@ def reached(problem: Problem, name: str, coordinate: str, value: float, low: flo
     """All values of the parameter that bring the tip there."""
 
     def solve(parameter: float) -> list[Any]:
-        return problem.equilibria(None, {name: parameter})
+        try:
+            return problem.equilibria(None, {name: parameter})
+        except ArithmeticError as error:
+            raise AskError(f"the solver fails at {name} = {parameter!r} ({error}); choose another --range") from error
 
     full = problem.full
     cuts = []

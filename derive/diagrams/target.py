@@ -2,8 +2,8 @@
 
 Two equilibria never share a tip angle: with it and θ′(ℓ) = 0 they would be the same. So between two values at which
 their number changes they keep their order, and the k-th one moves smoothly. Each interval between such values is
-sampled in an angle u, in which the parameter is a cosine: where two equilibria meet at an end they part as the square root, and
-in u they are smooth. Sign changes are refined; so are extrema that could reach the target.
+sampled in an angle u, in which the parameter is a cosine: where two equilibria meet at an end they part as the
+square root, and in u they are smooth. Sign changes are refined; so are extrema that could reach the target.
 """
 
 from __future__ import annotations
