@@ -15,9 +15,12 @@ PLACES = {
     "emit": "commands_emit",
     "explain": "commands_explain",
     "report": "commands_report",
+    "solve": "commands_solve",
     "sweep": "commands_sweep",
 }
 NUMBERS = ("beta", "eta", "length", "clamp-angle", "field-angle")
+# What `derive solve --target` may vary, by the names of the solvers and by those of the laboratory.
+VARIED = ("eta", "field", "beta", "force", "field-angle")
 
 SWEEP = (
     "One parameter is a range, as in --eta 0:0.001:500; another may be a list, as in --beta 0.0002,0.00035, for a "
@@ -72,7 +75,7 @@ def parser() -> argparse.ArgumentParser:
     )
 
     add = commands.add_parser("solve", parents=[common], help="all equilibria of one rod")
-    add.add_argument("scene", metavar="SCENE", help="shipped scene, or a scene file")
+    solve_options(add)
     for name in NUMBERS:
         add.add_argument(f"--{name}", metavar="X", help="a number; multiples of pi as in 3*pi/4")
 
@@ -87,6 +90,20 @@ def parser() -> argparse.ArgumentParser:
     add.add_argument("--store", type=Path, metavar="DIR", help="keep what is computed, and go on from what is there")
     add.add_argument("--dask", metavar="ADDRESS", help="compute on the Dask cluster of this scheduler")
     return top
+
+
+def solve_options(add: argparse.ArgumentParser) -> None:
+    """The options of the command, but for the rod's numbers."""
+    add.add_argument("scene", nargs="?", metavar="SCENE", help="shipped scene, or a scene file; none with --rod")
+    add.add_argument("--rod", type=Path, metavar="FILE", help="rod, particles and loads in physical units (TOML)")
+    add.add_argument("--degrees", action="store_true", help="angles in degrees, given and shown")
+    add.add_argument("--max-index", type=int, metavar="N", help="leave out what is less stable; 0: stable ones only")
+    add.add_argument("--csv", type=Path, metavar="FILE", help="write the shapes: s, theta, curvature, y, z")
+    add.add_argument("--points", type=int, default=201, metavar="N", help="places along a rod in the CSV (default 201)")
+    add.add_argument("--plot", type=Path, metavar="FILE", help="draw the equilibria (.svg, .png or .pdf)")
+    add.add_argument("--target", metavar="y=X", help="find what brings the tip to y=X, z=X or angle=X")
+    add.add_argument("--vary", choices=VARIED, default="eta", help="what is varied for it (default: the field)")
+    add.add_argument("--range", metavar="LOW:HIGH", help="the range in which it is sought")
 
 
 def joined(arguments: Sequence[str]) -> list[str]:

@@ -20,7 +20,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
 from derive import output, pipeline, show, stages
 from derive.cache import Cache, write_atomically
 from derive.measure.loading import load
-from derive.numbers import MistakeError, given_numbers, parameters
+from derive.numbers import MistakeError
 from derive.resources import kernels_folder, shipped_scenes
 from derive.runner import Runner
 from derive.stages import Task
@@ -101,24 +101,6 @@ def emitted_files(runner: Runner, job: pipeline.Job, folder: Path, *, kernels: b
         (texts,) = runner.results([task], stages.derived)
         files |= {kernels_folder() / f"{stem}.py": text for stem, text in texts.items()}
     return files
-
-
-def run_solve(options: argparse.Namespace) -> int:
-    """All equilibria of one rod."""
-    numbers = given_numbers(options)
-    with running(options) as runner:
-        module = solver(runner, options.scene)
-    values = parameters(options.scene, module, numbers)
-    try:
-        equilibria = module.equilibria(**values)
-    except ValueError as error:
-        raise MistakeError(str(error)) from error
-    title = ", ".join(f"{name} = {value:.12g}" for name, value in values.items())
-    show.show_equilibria(show.console(), equilibria, f"{len(equilibria)} equilibria: {title}")
-    fields = ("tip_angle", "clamp_curvature", "gamma", "y", "z", "energy", "index")
-    found = [{name: getattr(one, name) for name in fields if hasattr(one, name)} for one in equilibria]
-    save(options.json, {"scene": options.scene, "parameters": values, "equilibria": found})
-    return 0
 
 
 def solver(runner: Runner, name: str) -> ModuleType:

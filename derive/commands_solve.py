@@ -1,0 +1,192 @@
+"""`derive solve`: all equilibria of one rod, or what brings its tip to a place."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+from collections.abc import Sequence
+from math import radians
+from pathlib import Path
+from typing import Any
+
+from rich.markup import escape
+
+from derive import commands, output, show
+from derive.diagrams import aim, picture
+from derive.diagrams.problem import SMALL, Problem
+from derive.diagrams.rod_file import read_rod
+from derive.diagrams.tables import table
+from derive.diagrams.units import AskError
+from derive.numbers import MistakeError, given_numbers, number, parameters, spelled_option
+
+GENERAL = "oblique"  # the scene in which a rod from a file is solved
+
+
+def run_solve(options: argparse.Namespace) -> int:
+    """All equilibria of one rod, or all settings that reach a target."""
+    must_fit(options)
+    try:
+        problem = problem_of(options)
+        if options.target:
+            return aimed(problem, options)
+        return listed(problem, options)
+    except AskError as error:
+        raise MistakeError(str(error)) from error
+
+
+def must_fit(options: argparse.Namespace) -> None:
+    """MistakeError for options that do not go together, before any work."""
+    if options.scene is None and options.rod is None:
+        raise MistakeError("no rod is given; name a scene, as in `derive solve parallel …`, or a file with --rod")
+    if options.scene is not None and options.rod is not None:
+        raise MistakeError(f"--rod brings its own loads; leave out the scene '{options.scene}'")
+    if options.max_index is not None and options.max_index < 0:
+        raise MistakeError(f"--max-index must be at least 0 (got {options.max_index})")
+    if options.points < 2:
+        raise MistakeError(f"--points must be at least 2 (got {options.points})")
+    if options.range and not options.target:
+        raise MistakeError("--range is for a --target; leave it out, or add as in --target y=-20")
+    if options.target and (options.csv or options.plot):
+        raise MistakeError("--csv and --plot show one rod; solve that of the setting found, without --target")
+    if options.plot:
+        try:
+            picture.suffix_of(str(options.plot))
+            picture.libraries()
+        except AskError as error:
+            raise MistakeError(f"--plot: {error}") from error
+
+
+def problem_of(options: argparse.Namespace) -> Problem:
+    """The rod that was asked for."""
+    numbers = given_numbers(options)
+    varied = aim.VARIED[options.vary] if options.target else None
+    if options.rod:
+        if numbers:
+            raise MistakeError(f"{spelled_option(next(iter(numbers)))} is given by the file of --rod; leave it out")
+        rod = read_rod(options.rod)
+        with commands.running(options) as runner:
+            module = commands.solver(runner, GENERAL)
+        values = rod.parameters()
+        return Problem(GENERAL, module, values, values, rod, options.degrees or rod.degrees)
+    if options.degrees:
+        numbers = {name: radians(value) if name.endswith("angle") else value for name, value in numbers.items()}
+    if varied in numbers:
+        raise MistakeError(f"{spelled_option(varied)} is what is sought; leave it out, or choose another with --vary")
+    with commands.running(options) as runner:
+        module = commands.solver(runner, options.scene)
+    values = parameters(options.scene, module, numbers | ({varied: 0.0} if varied else {}))
+    return Problem(options.scene, module, values, folded(options.scene) | values, None, options.degrees)
+
+
+def folded(scene: str) -> dict[str, float]:
+    """The parameters that a scene fixes."""
+    from derive.emit.scene import load_scene
+
+    return {name: float(value) for name, value in load_scene(commands.scene_path(scene)).folded.items()}
+
+
+def listed(problem: Problem, options: argparse.Namespace) -> int:
+    """Show and write all equilibria."""
+    try:
+        found = problem.equilibria(options.max_index)
+    except ValueError as error:
+        raise MistakeError(str(error)) from error
+    found = sorted(found, key=lambda one: (one.index, one.tip_angle))
+    rows = [{"number": k, **problem.row(one)} for k, one in enumerate(found, 1)]
+    count = "1 equilibrium" if len(found) == 1 else f"{len(found)} equilibria"
+    show.console().print(escape(f"{count}: {problem.title()}"), soft_wrap=True)
+    table(show.console(), [*problem.columns().values()], (cells(row, problem) for row in rows))
+    data: dict[str, Any] = {"scene": problem.scene, "parameters": dict(problem.values)}
+    if problem.rod:
+        data |= {"units": {name: f"{unit:~}" for name, unit in problem.rod.units.items()} | {"energy": "J"}}
+        data["epsilon"] = smallness(problem, found)
+    write_json(options.json, data | {"degrees": problem.in_degrees, "equilibria": rows})
+    if options.csv:
+        write(options.csv, problem.csv(found, options.points).encode())
+    if options.plot:
+        kind = picture.suffix_of(str(options.plot))
+        write(options.plot, picture.drawn(problem.curves(found, 401), problem.view(), kind))
+    return 0
+
+
+def aimed(problem: Problem, options: argparse.Namespace) -> int:
+    """Show and write all settings that bring the tip to the target."""
+    name = aim.VARIED[options.vary]
+    coordinate, value = aim.goal(problem, options.target, number)
+    low, high = aim.limits(problem, name, options.range, number)
+    try:
+        reach = aim.reached(problem, name, coordinate, value, low, high)
+    except ValueError as error:
+        raise MistakeError(str(error)) from error
+    hits = [hit for hit in reach.hits if options.max_index is None or hit.equilibrium.index <= options.max_index]
+    title, unit = aim.label(problem, name)
+    ends = [aim.outward(problem, name, end) for end in (low, high)]
+    span = f"{title} from {ends[0]:.6g} to {ends[1]:.6g}{f' {unit}' if unit else ''}"
+    seen = [problem.angle(x) if coordinate == "tip_angle" else x for x in (reach.low, reach.high)]
+    shown = {"y": "y", "z": "z", "tip_angle": "θ(ℓ)"}[coordinate]
+    between = f"over {span} the tip's {shown} lies between {seen[0]:.5g} and {seen[1]:.5g}"
+    if not hits:
+        better = " with --max-index left out" if reach.hits else ""
+        more = f"; it is reached{better}" if better else "; choose a target in there, or another --range or --vary"
+        raise MistakeError(
+            f"--target {options.target}: no {'such ' if better else ''}equilibrium has it: {between}{more}"
+        )
+    console = show.console()
+    count = "1 setting" if len(hits) == 1 else f"{len(hits)} settings"
+    console.print(escape(f"{count} with {options.target}; {between}"), soft_wrap=True)
+    hits.sort(key=lambda hit: (hit.equilibrium.index, hit.parameter))
+    rows = [
+        {"number": k, title.replace(" ", "_"): aim.outward(problem, name, hit.parameter), name: hit.parameter}
+        | problem.row(hit.equilibrium)
+        for k, hit in enumerate(hits, 1)
+    ]
+    first = f"{title} [{unit}]" if unit else title
+    key = title.replace(" ", "_")
+    table(show.console(), [first, *problem.columns().values()], ([*cells(row, problem, key)] for row in rows))
+    data: dict[str, Any] = {"scene": problem.scene, "target": options.target, "vary": name, "range": [low, high]}
+    if problem.rod:
+        data["epsilon"] = smallness(problem, [hit.equilibrium for hit in hits])
+    write_json(options.json, data | {"reachable": seen, "degrees": problem.in_degrees, "solutions": rows})
+    return 0
+
+
+def cells(row: dict[str, Any], problem: Problem, *first: str) -> list[str]:
+    """A line of the table."""
+    numbers = [f"{float(row[key]):.11g}" for key in (*first, *problem.columns())]
+    return [str(row["number"]), *numbers, str(row["index"]), "stable" if row["stable"] else "unstable"]
+
+
+def smallness(problem: Problem, found: Sequence[Any]) -> list[float]:
+    """ε of each equilibrium, shown with a warning where the theory is stretched."""
+    values = [problem.smallness(one) for one in found]
+    worst = max(values, default=0.0)
+    show.console().print(f"ε = {worst:.3g} at most: half the diameter times the curvature, or over the length")
+    if worst > SMALL:
+        show.console(stderr=True).print(
+            f"derive solve: warning: ε is above {SMALL:g}; the theory of rods holds up to ε², here {worst**2:.2g}",
+            soft_wrap=True,
+        )
+    return values
+
+
+def write_json(path: Path | None, data: dict[str, Any]) -> None:
+    """Write the result, if it was asked for."""
+    if path:
+        write(path, (json.dumps(data, indent=2, ensure_ascii=False) + "\n").encode())
+
+
+def write(path: Path, content: bytes) -> None:
+    """Write a file whole or not at all; a device is written as it is."""
+    try:
+        if path.exists() and not path.is_file() and not path.is_dir():
+            path.write_bytes(content)
+            return
+        path.parent.mkdir(parents=True, exist_ok=True)
+        waiting = output.beside(path, content)
+        try:
+            os.replace(waiting, path)
+        finally:
+            waiting.unlink(missing_ok=True)
+    except OSError as error:
+        raise MistakeError(f"{path}: cannot be written ({error.strerror}); choose another file") from error
