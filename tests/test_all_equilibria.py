@@ -141,6 +141,15 @@ def test_extreme_rods_have_equilibria() -> None:
             assert all(isfinite(number) for number in numbers), rod
 
 
+def test_a_rod_as_long_as_its_half_swings() -> None:
+    # The clamp is then a turning point, without curvature; it is found between the last sample and the end itself.
+    for eta, tip in ((0.001694037927661754, pi - 2), (0.0067761517106470163, 2.0)):
+        found = solved(Rod(0.0, eta, 80.0, 2.0, 0.0))
+        (one,) = [one for one in found if abs(one.tip_angle - tip) < 1e-9 and abs(one.clamp_curvature) < 1e-12]
+        assert isfinite(one.y + one.z + one.energy)
+        assert not wrong_in_kind(found, None)
+
+
 def test_a_force_that_all_but_vanishes_beside_a_long_field() -> None:
     # Each of these once ended in a division by zero: V of hill and ridge differ by less than any rounding.
     assert not wrong_in_kind(solved(Rod(1e-100, 1.0, 1000.0, 2.3, 0.3)), None)

@@ -62,7 +62,9 @@ def delays(piece):
     basin, depth = piece.basin, deepest(piece.width)
     if basin.hill.stiffness < epsilon() ** 8:  # so flat that the moment is as the cube of the offset
         depth = 2 * depth / 3
-    far, none = slowness(basin.far), Delay(2 * depth, 0, 0, 0, 0)  # deeper, an offset would underflow
+    # With next to no moment at the clamp a rod is straight but for an offset whose square would underflow.
+    straight = piece.high_kind == "clamp" and abs(piece.clamp_offset) < epsilon() ** 5
+    far, none = slowness(basin.far), Delay(2 * depth if straight else depth, 0, 0, 0, 0)
     if piece.low_kind == "level":
         return Delay(depth, 0, 0, far / 2, 0), none
     low = Delay(depth, slowness(basin.hill), 0, far if basin.far_rise == 0 else 0, 0)
