@@ -14,7 +14,7 @@ Formulas, each proved equal to its derivation:
     point_pole (exsl22), pole_gap, rest_fall, rest_moment, rest_stiffness, rj_delta_imag (DLMF 19.26(iii)),
     rj_delta_real (DLMF 19.26(iii)), second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic,
     w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 a5c7368db3c255351bc1562967ed36646412bbc8a4782ca0faf310e6c97bbcbe
+Digest of the inputs: sha256 d405b480acc15cc2eea7af4761fd19b01d8ff3980736f4c5356f6d3ea6d3e928
 """
 
 from __future__ import annotations
@@ -954,7 +954,9 @@ def delays(piece):
     basin, depth = piece.basin, deepest(piece.width)
     if basin.hill.stiffness < epsilon() ** 8:  # so flat that the moment is as the cube of the offset
         depth = 2 * depth / 3
-    far, none = slowness(basin.far), Delay(2 * depth, 0, 0, 0, 0)  # deeper, an offset would underflow
+    # With next to no moment at the clamp a rod is straight but for an offset whose square would underflow.
+    straight = piece.high_kind == "clamp" and abs(piece.clamp_offset) < epsilon() ** 5
+    far, none = slowness(basin.far), Delay(2 * depth if straight else depth, 0, 0, 0, 0)
     if piece.low_kind == "level":
         return Delay(depth, 0, 0, far / 2, 0), none
     low = Delay(depth, slowness(basin.hill), 0, far if basin.far_rise == 0 else 0, 0)

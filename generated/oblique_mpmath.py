@@ -18,7 +18,7 @@ Formulas, each proved equal to its derivation:
     second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic, turn_level, turn_over (DLMF 4.21(iii)),
     turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
     w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 1e17e77cc5e0c3b37db2c0daffecc0d5cbba6a9a89d3d33ede1d58b60966944d
+Digest of the inputs: sha256 367a28d1706ca5d0b518535c8f1f70a5cba9c9bb46cd5506b6d3ba3189e64cd4
 """
 
 from __future__ import annotations
@@ -1295,7 +1295,9 @@ def delays(piece):
     basin, depth = piece.basin, deepest(piece.width)
     if basin.hill.stiffness < epsilon() ** 8:  # so flat that the moment is as the cube of the offset
         depth = 2 * depth / 3
-    far, none = slowness(basin.far), Delay(2 * depth, 0, 0, 0, 0)  # deeper, an offset would underflow
+    # With next to no moment at the clamp a rod is straight but for an offset whose square would underflow.
+    straight = piece.high_kind == "clamp" and abs(piece.clamp_offset) < epsilon() ** 5
+    far, none = slowness(basin.far), Delay(2 * depth if straight else depth, 0, 0, 0, 0)
     if piece.low_kind == "level":
         return Delay(depth, 0, 0, far / 2, 0), none
     low = Delay(depth, slowness(basin.hill), 0, far if basin.far_rise == 0 else 0, 0)

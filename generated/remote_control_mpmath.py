@@ -14,7 +14,7 @@ Formulas, each proved equal to its derivation:
     point_pole (exsl22), pole_gap, rest_fall, rest_moment, rest_stiffness, rj_delta_imag (DLMF 19.26(iii)),
     rj_delta_real (DLMF 19.26(iii)), second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic,
     w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 3d225f36b6c07e8eb1f1524f13dbb0cf5ca498937ec9e92c8884c2eac7ac2287
+Digest of the inputs: sha256 435c387f63ad0bdd0382f546b8b3604663f0d6f975eb07a3875ea3d6929fe71d
 """
 
 from __future__ import annotations
@@ -982,7 +982,9 @@ def delays(piece):
     basin, depth = piece.basin, deepest(piece.width)
     if basin.hill.stiffness < epsilon() ** 8:  # so flat that the moment is as the cube of the offset
         depth = 2 * depth / 3
-    far, none = slowness(basin.far), Delay(2 * depth, 0, 0, 0, 0)  # deeper, an offset would underflow
+    # With next to no moment at the clamp a rod is straight but for an offset whose square would underflow.
+    straight = piece.high_kind == "clamp" and abs(piece.clamp_offset) < epsilon() ** 5
+    far, none = slowness(basin.far), Delay(2 * depth if straight else depth, 0, 0, 0, 0)
     if piece.low_kind == "level":
         return Delay(depth, 0, 0, far / 2, 0), none
     low = Delay(depth, slowness(basin.hill), 0, far if basin.far_rise == 0 else 0, 0)

@@ -148,7 +148,7 @@ def contents(folder: Path) -> dict[str, bytes]:
     return {path.name: path.read_bytes() for path in sorted(folder.glob("*.py"))}
 
 
-@pytest.mark.long
+@pytest.mark.hours
 def test_the_main_job_and_its_cache(checkout: Path) -> None:
     before = contents(checkout / "generated")
     first = run("--json", "result.json", cwd=checkout, PYTHONHASHSEED="1")
