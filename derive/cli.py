@@ -74,6 +74,11 @@ def parser() -> argparse.ArgumentParser:
     add.add_argument("scene", metavar="SCENE", help="shipped scene, or a scene file")
     for name in NUMBERS:
         add.add_argument(f"--{name}", metavar="X", help="a number; multiples of pi as in 3*pi/4")
+
+    add = commands.add_parser("figures", help="draw the article's figures, the set of folds and a turning field")
+    add.add_argument("names", nargs="*", metavar="NAME", help="figure (default: all); a wrong name lists them")
+    add.add_argument("--out", type=Path, metavar="DIR", help="folder for the files (default: figures)")
+    add.add_argument("--format", default="svg,png", metavar="LIST", help="of svg, png, pdf (default: svg,png)")
     return top
 
 

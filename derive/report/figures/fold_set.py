@@ -1,0 +1,62 @@
+"""Where the second example gains or loses two equilibria, in the plane of β and η, and where its diagrams change."""
+
+from __future__ import annotations
+
+from itertools import groupby
+from typing import Any
+
+import numpy as np
+
+from derive.emit.kernels.exchanges import all_exchanges
+from derive.emit.kernels.folds import Fold, all_folds
+from derive.report.figures import style
+from derive.report.figures.bifurcation import CLAMP, FORCES, LENGTH
+
+HIGHEST = (0.0005, 0.0017)
+# Around the exchange of branches the set turns twice within a fiftieth of the range.
+NARROW = (0.000304, 0.000308)
+
+
+def folds_by_tip() -> list[tuple[float, Fold]]:
+    """(β, fold) along the set: for this rod it is one curve, on which the tip angle rises."""
+    betas = np.concatenate([np.linspace(0, HIGHEST[0], 61), np.linspace(*NARROW, 61)])
+    found = [(float(beta), one) for beta in betas for one in all_folds(beta, LENGTH, CLAMP, 0.0, 0.0, HIGHEST[1])]
+    return sorted(found, key=lambda item: item[1].tip_angle)
+
+
+def draw(figure: Any) -> None:
+    """The whole set, and the surroundings of the organising point enlarged."""
+    figure.set_size_inches(8.6, 4.4)
+    left, right = figure.subplots(1, 2)
+    curve = folds_by_tip()
+    points = all_exchanges(LENGTH, CLAMP, 0.0, 0.0002, 0.0004, 0.0002, 0.0008)
+    for axes in (left, right):
+        draw_set(axes, curve)
+        for point in points:
+            label = rf"branches exchange: $\beta^* = {point.beta:.9f}$"
+            axes.plot(point.beta, point.eta, "D", ms=6, color=style.COLOURS[1], label=label, zorder=4)
+    for number, beta in enumerate(FORCES, start=1):
+        left.axvline(beta, color=style.GREY, lw=0.5, ls=":")
+        left.text(beta, 1.01, str(number), transform=left.get_xaxis_transform(), ha="center", color=style.GREY)
+    left.text(0.00008, 0.0006, "1 equilibrium")
+    left.text(0.00033, 0.0012, "3 equilibria")
+    left.set(xlim=(-0.00001, HIGHEST[0] + 0.00001), ylim=(0, HIGHEST[1]))
+    right.set(xlim=(0.000303, 0.000309), ylim=(0.00035, 0.00052))
+    right.ticklabel_format(style="sci", axis="both", scilimits=(-4, -4))
+    right.legend(fontsize=8, loc="lower right")
+    for axes in (left, right):
+        axes.set(xlabel=r"$\beta$", ylabel=r"$\eta$")
+
+
+def draw_set(axes: Any, curve: list[tuple[float, Fold]]) -> None:
+    """One line for each stretch: two equilibria appear there as η grows, or two vanish."""
+    named: set[int] = set()
+    last: tuple[float, Fold] | None = None
+    for change, items in groupby(curve, key=lambda item: item[1].change):
+        stretch = list(items)
+        joined = stretch if last is None else [last, *stretch]
+        label = None if change in named else ("two appear with η" if change > 0 else "two vanish with η")
+        colour, look = (style.COLOURS[0], "-") if change > 0 else (style.COLOURS[2], "-.")
+        axes.plot([beta for beta, _ in joined], [one.eta for _, one in joined], ls=look, color=colour, label=label)
+        named.add(change)
+        last = stretch[-1]
