@@ -27,10 +27,12 @@ def draw(figure: Any) -> None:
             height = style.across(piece.y, piece.z, CLAMP)
             label = None if k else rf"{number}: $\beta = {beta:g}$"
             axes.plot(piece.eta, height, ls=style.line_of(piece.index), color=colour, label=label)
-            if piece.eta[-1] > 0.999 * HIGHEST and piece.index == 0:
-                axes.annotate(str(number), (HIGHEST, height[-1]), (4 + 9 * (number % 2), 0), **beside(colour))
+            if piece.eta[0] < 0.001 * HIGHEST:
+                axes.annotate(str(number), (piece.eta[0], height[0]), (4, 6), **beside(colour))
         for fold in folds:
-            axes.plot(fold.eta, style.across(fold.y, fold.z, CLAMP), "o", ms=6, mfc="white", mec=colour, mew=1.6)
+            point = (fold.eta, style.across(fold.y, fold.z, CLAMP))
+            axes.plot(*point, "o", ms=6, mfc="white", mec=colour, mew=1.6)
+            axes.annotate(str(number), point, (-13, 0), **beside(colour))
     axes.plot([], [], "o", ms=6, mfc="white", mec=style.GREY, mew=1.6, label="bifurcation point")
     axes.plot([], [], ls=style.UNSTABLE, color=style.GREY, label="unstable")
     axes.set(xlabel=r"$\eta$", ylabel=r"$w_\ell$", xlim=(0, HIGHEST))
@@ -39,5 +41,5 @@ def draw(figure: Any) -> None:
 
 
 def beside(colour: str) -> dict[str, Any]:
-    """How a number stands to the right of the end of its curve."""
-    return {"textcoords": "offset points", "va": "center", "color": colour, "fontsize": 8, "annotation_clip": False}
+    """How a number stands beside a point of its curve."""
+    return {"textcoords": "offset points", "va": "center", "color": colour, "fontsize": 9}

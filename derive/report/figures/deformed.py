@@ -15,6 +15,7 @@ S = np.linspace(0, LENGTH, 201)
 WEAK_FIELD = 0.0002
 THREE = (0.00035, 0.00052)
 # Each load by itself, at clamp angles on either side of the right angle.
+FORCE = "force alone, $\\beta = {:g}$"
 SEPARATE = (("$\\vartheta_{\\mathrm{o}} = 3\\pi/4$", 3 * pi / 4), ("$\\vartheta_{\\mathrm{o}} = \\pi/4$", pi / 4))
 
 
@@ -34,7 +35,7 @@ def base(axes: Any) -> None:
 
 def draw(figure: Any) -> None:
     """Left: one field, eight forces. Right: one rod, three equilibria."""
-    figure.set_size_inches(9.6, 5.2)
+    figure.set_size_inches(7.4, 5.2)
     left, right = figure.subplots(1, 2, sharey=True)
     for number, (beta, colour) in enumerate(zip(FORCES, style.COLOURS, strict=True), start=1):
         for one in parallel_numpy.equilibria(beta, WEAK_FIELD, LENGTH, CLAMP):
@@ -48,15 +49,15 @@ def draw(figure: Any) -> None:
     right.set_title(rf"$\beta = {THREE[0]:g}$, $\eta = {THREE[1]:g}$", fontsize=10)
     for axes in (left, right):
         base(axes)
-        style.arrow(axes, (18, 64), -3 * pi / 4, 14, r"$\mathbf{F}$")
-        style.arrow(axes, (34, 64), -3 * pi / 4, 14, r"$\mathbf{h}_{\mathrm{a}}$")
+        style.arrow(axes, (14, 64), -3 * pi / 4, 14, r"$\mathbf{F}$")
+        style.arrow(axes, (27, 64), -3 * pi / 4, 14, r"$\mathbf{h}_{\mathrm{a}}$")
         axes.set(xlim=(-6, 84), ylim=(-70, 70))
         axes.legend(fontsize=8, loc="upper right")
 
 
 def draw_separate(figure: Any) -> None:
     """For two clamp angles: the rod in the field alone, and under the force alone, all stable equilibria."""
-    figure.set_size_inches(9.6, 5.2)
+    figure.set_size_inches(7.4, 5.2)
     for axes, (title, clamp_angle) in zip(figure.subplots(1, 2, sharey=True), SEPARATE, strict=True):
         base(axes)
         loads = ((field_only_numpy, 0.0004, "field alone, $\\eta = {:g}$"), (force_only_numpy, 0.0002, FORCE))
@@ -67,6 +68,3 @@ def draw_separate(figure: Any) -> None:
         style.arrow(axes, (36, 60), -clamp_angle, 14, r"$\mathbf{h}_{\mathrm{a}}$")
         axes.set(xlim=(-6, 84), ylim=(-70, 75), title=title)
         axes.legend(fontsize=8, loc="lower left")
-
-
-FORCE = "force alone, $\\beta = {:g}$"

@@ -7,20 +7,36 @@ from typing import Any
 
 import numpy as np
 
-from derive.emit.kernels.exchanges import all_exchanges
+from derive.emit.kernels.exchanges import Exchange, all_exchanges
 from derive.emit.kernels.folds import Fold, all_folds
 from derive.report.figures import style
 from derive.report.figures.bifurcation import CLAMP, FORCES, LENGTH
 
 HIGHEST = (0.0005, 0.0017)
-# Around the exchange of branches the set turns twice within a fiftieth of the range.
-NARROW = (0.000304, 0.000308)
+# Between these the set turns back at a cusp, and again where branches exchange.
+BEFORE, AFTER = 0.0003, 0.0004
 
 
-def folds_by_tip() -> list[tuple[float, Fold]]:
-    """(β, fold) along the set: for this rod it is one curve, on which the tip angle rises."""
-    betas = np.concatenate([np.linspace(0, HIGHEST[0], 61), np.linspace(*NARROW, 61)])
-    found = [(float(beta), one) for beta in betas for one in all_folds(beta, LENGTH, CLAMP, 0.0, 0.0, HIGHEST[1])]
+def folds_at(beta: float) -> list[Fold]:
+    """The folds for one force."""
+    return all_folds(beta, LENGTH, CLAMP, 0.0, 0.0, HIGHEST[1])
+
+
+def cusp(low: float, high: float) -> float:
+    """The least β in the range at which a diagram has more folds than at its lower end, to 1e-6 of β."""
+    few = len(folds_at(low))
+    while high - low > 1e-6 * high:
+        middle = (low + high) / 2
+        low, high = (middle, high) if len(folds_at(middle)) == few else (low, middle)
+    return high
+
+
+def folds_by_tip(exchange: Exchange) -> list[tuple[float, Fold]]:
+    """(β, fold) along the set: for this rod it is one curve, on which the tip angle rises. Closer where it turns."""
+    start, near = cusp(BEFORE, exchange.beta * (1 - 1e-6)), np.geomspace(1e-5, 1, 16)
+    half = (exchange.beta - start) / 2
+    betas = [np.linspace(0, HIGHEST[0], 31), start + half * near, exchange.beta - half * near, [start]]
+    found = [(float(beta), one) for beta in np.concatenate(betas) for one in folds_at(float(beta))]
     return sorted(found, key=lambda item: item[1].tip_angle)
 
 
@@ -28,20 +44,19 @@ def draw(figure: Any) -> None:
     """The whole set, and the surroundings of the organising point enlarged."""
     figure.set_size_inches(8.6, 4.4)
     left, right = figure.subplots(1, 2)
-    curve = folds_by_tip()
-    points = all_exchanges(LENGTH, CLAMP, 0.0, 0.0002, 0.0004, 0.0002, 0.0008)
+    (point,) = all_exchanges(LENGTH, CLAMP, 0.0, BEFORE, AFTER, 0.0, HIGHEST[1])
+    curve = folds_by_tip(point)
     for axes in (left, right):
         draw_set(axes, curve)
-        for point in points:
-            label = rf"branches exchange: $\beta^* = {point.beta:.9f}$"
-            axes.plot(point.beta, point.eta, "D", ms=6, color=style.COLOURS[1], label=label, zorder=4)
+        label = rf"branches exchange: $\beta^* = {point.beta:.9f}$"
+        axes.plot(point.beta, point.eta, "D", ms=6, color=style.COLOURS[1], label=label, zorder=4)
     for number, beta in enumerate(FORCES, start=1):
         left.axvline(beta, color=style.GREY, lw=0.5, ls=":")
         left.text(beta, 1.01, str(number), transform=left.get_xaxis_transform(), ha="center", color=style.GREY)
     left.text(0.00008, 0.0006, "1 equilibrium")
-    left.text(0.00033, 0.0012, "3 equilibria")
+    left.text(0.000315, 0.0012, "3 equilibria")
     left.set(xlim=(-0.00001, HIGHEST[0] + 0.00001), ylim=(0, HIGHEST[1]))
-    right.set(xlim=(0.000303, 0.000309), ylim=(0.00035, 0.00052))
+    right.set(xlim=(0.000303, 0.000309), ylim=(0.00034, 0.00052))
     right.ticklabel_format(style="sci", axis="both", scilimits=(-4, -4))
     right.legend(fontsize=8, loc="lower right")
     for axes in (left, right):

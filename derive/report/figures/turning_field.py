@@ -21,7 +21,7 @@ def draw(figure: Any) -> None:
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
 
-    figure.set_size_inches(7.2, 5.2)
+    figure.set_size_inches(5.6, 5.2)
     axes = figure.add_subplot()
     s, colours = np.linspace(0, LENGTH, 161), matplotlib.colormaps["twilight_shifted"]
     for field_angle in np.arange(TURNS) * pi / TURNS:
