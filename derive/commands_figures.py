@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Collection
 from pathlib import Path
 
 from derive import output, show
@@ -31,7 +32,7 @@ def run_figures(options: argparse.Namespace) -> int:
     return 0
 
 
-def chosen(what: str, asked: list[str], possible: dict[str, object] | tuple[str, ...]) -> tuple[str, ...]:
+def chosen(what: str, asked: list[str], possible: Collection[str]) -> tuple[str, ...]:
     """What is asked for, each once, or all; MistakeError for a name that is none."""
     for name in asked:
         if name not in possible:

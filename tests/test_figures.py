@@ -10,7 +10,7 @@ import pytest
 
 from derive.cli import main
 from derive.emit.kernels.folds import all_folds
-from derive.report.figures import FIGURES, bifurcation, remote_control, style
+from derive.report.figures import FIGURES, bifurcation, fold_set, remote_control, style
 from derive.report.figures.diagrams import between, pieces
 
 
@@ -55,6 +55,11 @@ def test_curves_meet_at_their_fold() -> None:
     folds, found = second_example(6)
     heights = sorted(w[0] for eta, w, _ in found if eta[0] >= folds[0])
     assert heights[2] - heights[1] < 0.02 < heights[1] - heights[0]
+
+
+@pytest.mark.parametrize(("beta", "changes"), [(0.0003, [2]), (0.000303, [2, -2, 2]), (0.00031, [2])])
+def test_two_kinds_of_diagrams_and_one_between(beta: float, changes: list[int]) -> None:
+    assert [one.change for one in fold_set.folds_at(beta)] == changes
 
 
 def test_a_fold_that_is_forgotten_is_seen() -> None:

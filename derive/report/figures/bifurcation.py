@@ -28,7 +28,9 @@ def draw(figure: Any) -> None:
             label = None if k else rf"{number}: $\beta = {beta:g}$"
             axes.plot(piece.eta, height, ls=style.line_of(piece.index), color=colour, label=label)
             if piece.eta[0] < 0.001 * HIGHEST:
-                axes.annotate(str(number), (piece.eta[0], height[0]), (4, 6), **beside(colour))
+                axes.annotate(
+                    str(number), (piece.eta[0], height[0]), (4, 6) if number > 3 else (9, -3), **beside(colour)
+                )
         for fold in folds:
             point = (fold.eta, style.across(fold.y, fold.z, CLAMP))
             axes.plot(*point, "o", ms=6, mfc="white", mec=colour, mew=1.6)

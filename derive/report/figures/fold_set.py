@@ -33,9 +33,9 @@ def cusp(low: float, high: float) -> float:
 
 def folds_by_tip(exchange: Exchange) -> list[tuple[float, Fold]]:
     """(β, fold) along the set: for this rod it is one curve, on which the tip angle rises. Closer where it turns."""
-    start, near = cusp(BEFORE, exchange.beta * (1 - 1e-6)), np.geomspace(1e-5, 1, 16)
+    start, near = cusp(BEFORE, exchange.beta * (1 - 1e-6)), np.linspace(0.005, 1, 25) ** 2
     half = (exchange.beta - start) / 2
-    betas = [np.linspace(0, HIGHEST[0], 31), start + half * near, exchange.beta - half * near, [start]]
+    betas: Any = [np.linspace(0, HIGHEST[0], 31), start + half * near, exchange.beta - half * near, [start]]
     found = [(float(beta), one) for beta in np.concatenate(betas) for one in folds_at(float(beta))]
     return sorted(found, key=lambda item: item[1].tip_angle)
 
@@ -56,7 +56,7 @@ def draw(figure: Any) -> None:
     left.text(0.00008, 0.0006, "1 equilibrium")
     left.text(0.000315, 0.0012, "3 equilibria")
     left.set(xlim=(-0.00001, HIGHEST[0] + 0.00001), ylim=(0, HIGHEST[1]))
-    right.set(xlim=(0.000303, 0.000309), ylim=(0.00034, 0.00052))
+    right.set(xlim=(0.0003, 0.00031), ylim=(0.00031, 0.00054))
     right.ticklabel_format(style="sci", axis="both", scilimits=(-4, -4))
     right.legend(fontsize=8, loc="lower right")
     for axes in (left, right):
