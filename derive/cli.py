@@ -16,6 +16,7 @@ PLACES = {
     "explain": "commands_explain",
     "report": "commands_report",
     "solve": "commands_solve",
+    "figures": "commands_figures",
     "sweep": "commands_sweep",
 }
 NUMBERS = ("beta", "eta", "length", "clamp-angle", "field-angle")
@@ -89,6 +90,10 @@ def parser() -> argparse.ArgumentParser:
     add.add_argument("--show", choices=shown, default="y", help="what the picture shows (default: y)")
     add.add_argument("--store", type=Path, metavar="DIR", help="keep what is computed, and go on from what is there")
     add.add_argument("--dask", metavar="ADDRESS", help="compute on the Dask cluster of this scheduler")
+    add = commands.add_parser("figures", help="draw the article's figures, the set of folds and a turning field")
+    add.add_argument("names", nargs="*", metavar="NAME", help="figure (default: all); a wrong name lists them")
+    add.add_argument("--out", type=Path, metavar="DIR", help="folder for the files (default: figures)")
+    add.add_argument("--format", default="svg,png", metavar="LIST", help="of svg, png, pdf (default: svg,png)")
     return top
 
 
