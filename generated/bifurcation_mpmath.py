@@ -14,7 +14,7 @@ Formulas, each proved equal to its derivation:
     point_pole (exsl22), pole_gap, rest_fall, rest_moment, rest_stiffness, rj_delta_imag (DLMF 19.26(iii)),
     rj_delta_real (DLMF 19.26(iii)), second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic,
     w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 0b8127d048ea162075aeee7732980b9741233a42c7bd39c132cfa17cf62bf261
+Digest of the inputs: sha256 ad0f9d23236eba163ad6e6703cf02b6e8288874d7cebe74e2d0d7e900be35cc7
 """
 
 from __future__ import annotations
@@ -1131,7 +1131,9 @@ def rates(beta, eta, field_angle, basin, tip, half_width, sine, near, far, heigh
     apart = pick(2 * by_near > near, by_near, apart)
     apart = pick(2 * by_far > far, by_far, apart)
     apart = pick(mean - eta > mpf("0.1") * eta, mean - eta, apart)
-    apart = larger(apart, epsilon() * pick(near < far, near, far) / 4)
+    # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.
+    least = larger(height, epsilon() ** 19) if basin.passes else epsilon() * pick(near < far, near, far) / 4
+    apart = larger(apart, least)
     split = sine * sqrt(apart * (mean + eta) / pick(excess < 0, product - excess, 1))
     return sqrt(product / 2), pick(excess < 0, split, sqrt(product + larger(excess, 0))) / 2
 
@@ -1580,7 +1582,8 @@ def shift(eta, double_sine, double_cosine, motion, point, root, square, rest):
 def kink_at(first, second, point, root, q, m, square, rest):
     """The part of η∫cos²(θ − α) without integral; towards the tip its terms are large and cancel in the first form."""
     b, x, product = point.strength, point.pole, point.product
-    delta, across, near_root = phase_rate(first, second, square, rest), sqrt(square * rest), sqrt(point.one)
+    delta = larger(phase_rate(first, second, square, rest), second * sqrt(square))
+    across, near_root = sqrt(square * rest), sqrt(point.one)
     others = others_sum(q, root)
     gap = pole_gap(x, abs(x), others, others_product(b, m, root, others), product)
     far = arc_kink(square, delta, across, b, x, near_root, product)
@@ -1650,7 +1653,9 @@ def clamp_point(motion, phase):
     one = point_near(b, motion.sine, done, motion.left_sine)
     product = pair_root(sqrt(motion.near), done, phase.whole, phase.delta / motion.end)
     delta = phase_rate(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
-    return Point(b, point_pole(b, done, cos(motion.done / 2)), one, product, pair_root_sum(phase.square, delta))
+    # 2Δ/sin ψ is no less than ``middle``, the square of which may underflow.
+    root_sum = larger(pair_root_sum(phase.square, delta), motion.middle)
+    return Point(b, point_pole(b, done, cos(motion.done / 2)), one, product, root_sum)
 
 
 def bent_rod(rod, turns, piece, crossing, index):

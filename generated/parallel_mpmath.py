@@ -18,7 +18,7 @@ Formulas, each proved equal to its derivation:
     second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic, turn_level, turn_over (DLMF 4.21(iii)),
     turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
     w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 9e7cc295d0d8fcc3e3d7e867498a496274d84dffddea9ad68d88021b125cf2d5
+Digest of the inputs: sha256 d490bdde0b7e6c2318f7c5fdd6a1ff484e34dbf9e6e7b7575093d7ab46cc841d
 """
 
 from __future__ import annotations
@@ -1280,7 +1280,9 @@ def rates(beta, eta, field_angle, basin, tip, half_width, sine, near, far, heigh
     apart = pick(2 * by_near > near, by_near, apart)
     apart = pick(2 * by_far > far, by_far, apart)
     apart = pick(mean - eta > mpf("0.1") * eta, mean - eta, apart)
-    apart = larger(apart, epsilon() * pick(near < far, near, far) / 4)
+    # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.
+    least = larger(height, epsilon() ** 19) if basin.passes else epsilon() * pick(near < far, near, far) / 4
+    apart = larger(apart, least)
     split = sine * sqrt(apart * (mean + eta) / pick(excess < 0, product - excess, 1))
     return sqrt(product / 2), pick(excess < 0, split, sqrt(product + larger(excess, 0))) / 2
 
@@ -1729,7 +1731,8 @@ def shift(eta, double_sine, double_cosine, motion, point, root, square, rest):
 def kink_at(first, second, point, root, q, m, square, rest):
     """The part of η∫cos²(θ − α) without integral; towards the tip its terms are large and cancel in the first form."""
     b, x, product = point.strength, point.pole, point.product
-    delta, across, near_root = phase_rate(first, second, square, rest), sqrt(square * rest), sqrt(point.one)
+    delta = larger(phase_rate(first, second, square, rest), second * sqrt(square))
+    across, near_root = sqrt(square * rest), sqrt(point.one)
     others = others_sum(q, root)
     gap = pole_gap(x, abs(x), others, others_product(b, m, root, others), product)
     far = arc_kink(square, delta, across, b, x, near_root, product)
@@ -1799,7 +1802,9 @@ def clamp_point(motion, phase):
     one = point_near(b, motion.sine, done, motion.left_sine)
     product = pair_root(sqrt(motion.near), done, phase.whole, phase.delta / motion.end)
     delta = phase_rate(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
-    return Point(b, point_pole(b, done, cos(motion.done / 2)), one, product, pair_root_sum(phase.square, delta))
+    # 2Δ/sin ψ is no less than ``middle``, the square of which may underflow.
+    root_sum = larger(pair_root_sum(phase.square, delta), motion.middle)
+    return Point(b, point_pole(b, done, cos(motion.done / 2)), one, product, root_sum)
 
 
 def bent_rod(rod, turns, piece, crossing, index):

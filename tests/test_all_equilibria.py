@@ -150,6 +150,14 @@ def test_a_rod_as_long_as_its_half_swings() -> None:
         assert not wrong_in_kind(found, None)
 
 
+@pytest.mark.parametrize("beta", [1.0, 3.0, 6.3, 10.0, 30.0])
+def test_long_rods_that_all_but_rest_on_a_ridge(beta: float) -> None:
+    # A motion passes the ridge by less than any rounding of the potential, and still by so much and no less.
+    rod = Rod(beta, 1e4, 1.0, 3 * pi / 4, 0.0)
+    found = solved(rod)
+    assert not wrong_in_kind(found, None)
+
+
 def test_a_force_that_all_but_vanishes_beside_a_long_field() -> None:
     # Each of these once ended in a division by zero: V of hill and ridge differ by less than any rounding.
     assert not wrong_in_kind(solved(Rod(1e-100, 1.0, 1000.0, 2.3, 0.3)), None)

@@ -4,7 +4,18 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import any_of, arctan_share, complex_of, complex_sqrt, cos, epsilon, pick, sin, sqrt
+from derive.emit.kernels.arithmetic import (
+    any_of,
+    arctan_share,
+    complex_of,
+    complex_sqrt,
+    cos,
+    epsilon,
+    larger,
+    pick,
+    sin,
+    sqrt,
+)
 from derive.emit.kernels.formulas import (
     arc_kink,
     arc_kink_tip,
@@ -61,7 +72,9 @@ def clamp_point(motion, phase):
     one = point_near(b, motion.sine, done, motion.left_sine)
     product = pair_root(sqrt(motion.near), done, phase.whole, phase.delta / motion.end)
     delta = phase_rate(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
-    return Point(b, point_pole(b, done, cos(motion.done / 2)), one, product, pair_root_sum(phase.square, delta))
+    # 2Δ/sin ψ is no less than ``middle``, the square of which may underflow.
+    root_sum = larger(pair_root_sum(phase.square, delta), motion.middle)
+    return Point(b, point_pole(b, done, cos(motion.done / 2)), one, product, root_sum)
 
 
 def far_point(motion):
@@ -98,7 +111,8 @@ def shift(eta, double_sine, double_cosine, motion, point, root, square, rest):
 def kink_at(first, second, point, root, q, m, square, rest):
     """The part of η∫cos²(θ − α) without integral; towards the tip its terms are large and cancel in the first form."""
     b, x, product = point.strength, point.pole, point.product
-    delta, across, near_root = phase_rate(first, second, square, rest), sqrt(square * rest), sqrt(point.one)
+    delta = larger(phase_rate(first, second, square, rest), second * sqrt(square))
+    across, near_root = sqrt(square * rest), sqrt(point.one)
     others = others_sum(q, root)
     gap = pole_gap(x, abs(x), others, others_product(b, m, root, others), product)
     far = arc_kink(square, delta, across, b, x, near_root, product)

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/arcs.py: do not edit, change that file.
 
-Digest of the inputs: sha256 183154f6f3dc95812d2b67d1ffc75ba48db8425edb011f8dc3ad397323988be6
+Digest of the inputs: sha256 35a872d8a26f88ef89f3bfb682fb10fdb74b404374ab0b99aaed8cf923877ff2
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ from derive.emit.kernels.array_arithmetic import (
     each_cos,
     each_sin,
     each_sqrt,
+    larger,
     pick,
 )
 from derive.emit.kernels.formulas_each import (
@@ -77,9 +78,9 @@ def clamp_point_each(motion, phase):
     one = point_near_each(b, motion.sine, done, motion.left_sine)
     product = pair_root_each(each_sqrt(motion.near), done, phase.whole, phase.delta / motion.end)
     delta = phase_rate_each(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
-    return PointEach(
-        b, point_pole_each(b, done, each_cos(motion.done / 2)), one, product, pair_root_sum_each(phase.square, delta)
-    )
+    # 2Δ/sin ψ is no less than ``middle``, the square of which may underflow.
+    root_sum = larger(pair_root_sum_each(phase.square, delta), motion.middle)
+    return PointEach(b, point_pole_each(b, done, each_cos(motion.done / 2)), one, product, root_sum)
 
 
 def far_point_each(motion):
@@ -116,11 +117,8 @@ def shift_each(eta, double_sine, double_cosine, motion, point, root, square, res
 def kink_at_each(first, second, point, root, q, m, square, rest):
     """The part of η∫cos²(θ − α) without integral; towards the tip its terms are large and cancel in the first form."""
     b, x, product = point.strength, point.pole, point.product
-    delta, across, near_root = (
-        phase_rate_each(first, second, square, rest),
-        each_sqrt(square * rest),
-        each_sqrt(point.one),
-    )
+    delta = larger(phase_rate_each(first, second, square, rest), second * each_sqrt(square))
+    across, near_root = each_sqrt(square * rest), each_sqrt(point.one)
     others = others_sum_each(q, root)
     gap = pole_gap_each(x, each_abs(x), others, others_product_each(b, m, root, others), product)
     far = arc_kink_each(square, delta, across, b, x, near_root, product)

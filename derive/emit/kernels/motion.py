@@ -193,7 +193,9 @@ def rates(beta, eta, field_angle, basin, tip, half_width, sine, near, far, heigh
     apart = pick(2 * by_near > near, by_near, apart)
     apart = pick(2 * by_far > far, by_far, apart)
     apart = pick(mean - eta > 0.1 * eta, mean - eta, apart)
-    apart = larger(apart, epsilon() * pick(near < far, near, far) / 4)
+    # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.
+    least = larger(height, epsilon() ** 19) if basin.passes else epsilon() * pick(near < far, near, far) / 4
+    apart = larger(apart, least)
     split = sine * sqrt(apart * (mean + eta) / pick(excess < 0, product - excess, 1))
     return sqrt(product / 2), pick(excess < 0, split, sqrt(product + larger(excess, 0))) / 2
 
