@@ -27,6 +27,7 @@ from derive.diagrams.request import LOADS, Request, request
 from derive.diagrams.states import rows
 from derive.emit.kernels.folds import all_folds
 from derive.emit.scene import load_scene
+from derive.measure.loading import text_of
 from derive.numbers import MistakeError
 
 BESIDE = 1e-9  # on both sides of a fold that is known, relative: an event between, and no other
@@ -53,7 +54,7 @@ def run_sweep(options: argparse.Namespace) -> int:
 def curves(options: argparse.Namespace, module: ModuleType, asked: Request, folded: dict[str, float]) -> list[Diagram]:
     """All diagrams: the blocks of all curves first, by whatever computes them, and then the events."""
     shipped = module.__name__.startswith("generated.")
-    name, text = (module.__name__, "") if shipped else ("", Path(str(module.__file__)).read_text(encoding="utf-8"))
+    name, text = (module.__name__, "") if shipped else ("", text_of(module))
     lines = [sorted({*asked.values, *beside_folds(asked, fixed, folded)}) for fixed in asked.curves]
     parts = [
         list(blocks(name, text, asked.parameter, line, fixed)) for line, fixed in zip(lines, asked.curves, strict=True)

@@ -200,6 +200,18 @@ def test_a_cluster_loses_nothing_with_a_worker() -> None:
     assert found == solved(todo, Store(None))
 
 
+@pytest.mark.long
+def test_a_scene_file_is_swept(tmp_path: Path) -> None:
+    scene, path = tmp_path / "mine.toml", tmp_path / "mine.csv"
+    scene.write_text(
+        '[scene]\nname = "mine"\ncase = "field_only"\noutputs = ["sweep"]\nbackends = ["numpy"]\n'
+        '[constants]\nlength = "80"\nclamp_angle = "3*pi/4"\n',
+        encoding="utf-8",
+    )
+    assert main(["sweep", str(scene), "--eta", "0:0.005:20", "--jobs", "2", "--csv", str(path)]) == 0
+    assert {row["branch"] for row in csv.DictReader(path.read_text(encoding="utf-8").splitlines())} == {"1", "2", "3"}
+
+
 MISTAKES: list[tuple[Sequence[str], str]] = [
     (["--eta", "0:0.001:30"], "--beta is missing"),
     (["--eta", "0.001", "--beta", "0.0003"], "one parameter must be a range"),
