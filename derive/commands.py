@@ -18,7 +18,7 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
 
 from derive import output, pipeline, show, stages
-from derive.cache import Cache, write_atomically
+from derive.cache import Cache
 from derive.measure.loading import load
 from derive.numbers import MistakeError
 from derive.resources import kernels_folder, shipped_scenes
@@ -149,12 +149,21 @@ def latex(path: Path) -> str:
 
 
 def save(path: Path | None, data: Mapping[str, Any]) -> None:
-    """Write a result as JSON, whole or not at all."""
+    """Write a result as JSON, if it was asked for."""
     if path:
-        try:
-            write_atomically(path, json.dumps(data, indent=2, ensure_ascii=False, default=str) + "\n")
-        except OSError as error:
-            raise MistakeError(f"{path}: cannot be written ({error.strerror}); choose another file") from error
+        write_file(path, (json.dumps(data, indent=2, ensure_ascii=False, default=str) + "\n").encode())
+
+
+def write_file(path: Path, content: bytes) -> None:
+    """Write a file whole or not at all; a device is written as it is, not replaced."""
+    try:
+        if path.exists() and not path.is_file() and not path.is_dir():
+            path.write_bytes(content)
+        else:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            output.move_all({path: output.beside(path, content)})
+    except OSError as error:
+        raise MistakeError(f"{path}: cannot be written ({error.strerror}); choose another file") from error
 
 
 def summary(job: pipeline.Job) -> dict[str, Any]:

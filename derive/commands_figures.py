@@ -7,6 +7,7 @@ from collections.abc import Collection
 from pathlib import Path
 
 from derive import output, show
+from derive.diagrams.plotting import library
 from derive.numbers import MistakeError
 
 
@@ -17,16 +18,12 @@ def run_figures(options: argparse.Namespace) -> int:
     names, formats = chosen("figure", options.names, figures.FIGURES), chosen_formats(options.format, figures.FORMATS)
     folder = options.out or Path("figures")
     output.must_be_usable(folder)
-    files: dict[Path, bytes] = {}
-    try:
-        for name in names:
-            drawn = figures.draw(name, formats)
-            files.update({folder / f"{name}.{kind}": content for kind, content in drawn.items()})
-    except ModuleNotFoundError as error:
-        if (error.name or "").split(".")[0] != "matplotlib":
-            raise
-        raise MistakeError("figures need matplotlib: pip install 'magnetic-rods[pictures]'") from error
-    write(files)
+    library()
+    files: dict[Path, str | bytes] = {}
+    for name in names:
+        drawn = figures.draw(name, formats)
+        files |= {folder / f"{name}.{kind}": content for kind, content in drawn.items()}
+    output.write_all(files)
     for path in files:
         show.console().print(str(path), highlight=False, soft_wrap=True)
     return 0
@@ -43,21 +40,3 @@ def chosen(what: str, asked: list[str], possible: Collection[str]) -> tuple[str,
 def chosen_formats(text: str, possible: tuple[str, ...]) -> tuple[str, ...]:
     """The formats in a list with commas."""
     return chosen("format", [part.strip() for part in text.split(",")], possible)
-
-
-def write(files: dict[Path, bytes]) -> None:
-    """All files beside their places first, then moved there."""
-    waiting: dict[Path, Path] = {}
-    try:
-        for path, content in files.items():
-            path.parent.mkdir(parents=True, exist_ok=True)
-            waiting[path] = output.beside(path, content)
-        output.move_all(waiting)
-    except OSError as error:
-        place = error.filename or next(iter(files)).parent
-        raise output.OutputError(
-            f"{place}: cannot be written ({error.strerror}); choose another folder with --out"
-        ) from error
-    finally:
-        for name in waiting.values():
-            name.unlink(missing_ok=True)

@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 import argparse
-import json
-import os
 from collections.abc import Sequence
 from math import radians
-from pathlib import Path
 from typing import Any
 
 from rich.markup import escape
 
-from derive import commands, output, show
+from derive import commands, show
 from derive.diagrams import aim, picture
+from derive.diagrams.plotting import format_of, library
 from derive.diagrams.problem import SMALL, Problem
 from derive.diagrams.rod_file import read_rod
 from derive.diagrams.tables import table
-from derive.diagrams.units import AskError
 from derive.numbers import MistakeError, given_numbers, number, parameters, spelled_option
 
 GENERAL = "oblique"  # the scene in which a rod from a file is solved
@@ -26,13 +23,8 @@ GENERAL = "oblique"  # the scene in which a rod from a file is solved
 def run_solve(options: argparse.Namespace) -> int:
     """All equilibria of one rod, or all settings that reach a target."""
     must_fit(options)
-    try:
-        problem = problem_of(options)
-        if options.target:
-            return aimed(problem, options)
-        return listed(problem, options)
-    except AskError as error:
-        raise MistakeError(str(error)) from error
+    problem = problem_of(options)
+    return aimed(problem, options) if options.target else listed(problem, options)
 
 
 def must_fit(options: argparse.Namespace) -> None:
@@ -50,11 +42,8 @@ def must_fit(options: argparse.Namespace) -> None:
     if options.target and (options.csv or options.plot):
         raise MistakeError("--csv and --plot show one rod; solve that of the setting found, without --target")
     if options.plot:
-        try:
-            picture.suffix_of(str(options.plot))
-            picture.libraries()
-        except AskError as error:
-            raise MistakeError(f"--plot: {error}") from error
+        format_of(options.plot)
+        library()
 
 
 def problem_of(options: argparse.Namespace) -> Problem:
@@ -101,12 +90,12 @@ def listed(problem: Problem, options: argparse.Namespace) -> int:
     if problem.rod:
         data |= {"units": {name: f"{unit:~}" for name, unit in problem.rod.units.items()} | {"energy": "J"}}
         data["epsilon"] = smallness(problem, found)
-    write_json(options.json, data | {"degrees": problem.in_degrees, "equilibria": rows})
+    commands.save(options.json, data | {"degrees": problem.in_degrees, "equilibria": rows})
     if options.csv:
-        write(options.csv, problem.csv(found, options.points).encode())
+        commands.write_file(options.csv, problem.csv(found, options.points).encode())
     if options.plot:
-        kind = picture.suffix_of(str(options.plot))
-        write(options.plot, picture.drawn(problem.curves(found, 401), problem.view(), kind))
+        kind = format_of(options.plot)
+        commands.write_file(options.plot, picture.drawn(problem.curves(found, 401), problem.view(), kind))
     return 0
 
 
@@ -147,7 +136,7 @@ def aimed(problem: Problem, options: argparse.Namespace) -> int:
     data: dict[str, Any] = {"scene": problem.scene, "target": options.target, "vary": name, "range": [low, high]}
     if problem.rod:
         data["epsilon"] = smallness(problem, [hit.equilibrium for hit in hits])
-    write_json(options.json, data | {"reachable": seen, "degrees": problem.in_degrees, "solutions": rows})
+    commands.save(options.json, data | {"reachable": seen, "degrees": problem.in_degrees, "solutions": rows})
     return 0
 
 
@@ -168,25 +157,3 @@ def smallness(problem: Problem, found: Sequence[Any]) -> list[float]:
             soft_wrap=True,
         )
     return values
-
-
-def write_json(path: Path | None, data: dict[str, Any]) -> None:
-    """Write the result, if it was asked for."""
-    if path:
-        write(path, (json.dumps(data, indent=2, ensure_ascii=False) + "\n").encode())
-
-
-def write(path: Path, content: bytes) -> None:
-    """Write a file whole or not at all; a device is written as it is."""
-    try:
-        if path.exists() and not path.is_file() and not path.is_dir():
-            path.write_bytes(content)
-            return
-        path.parent.mkdir(parents=True, exist_ok=True)
-        waiting = output.beside(path, content)
-        try:
-            os.replace(waiting, path)
-        finally:
-            waiting.unlink(missing_ok=True)
-    except OSError as error:
-        raise MistakeError(f"{path}: cannot be written ({error.strerror}); choose another file") from error

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import argparse
+import os
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import Executor, ProcessPoolExecutor
+from concurrent.futures import BrokenExecutor, CancelledError, Executor, ProcessPoolExecutor
 from contextlib import contextmanager
-from functools import partial
-from pathlib import Path
 from types import ModuleType
 from typing import Any
 
@@ -15,28 +14,27 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from rich.table import Table
 
 from derive import show
-from derive.cache import write_atomically
-from derive.commands import running, scene_path, solver
+from derive.commands import running, save, scene_path, solver, write_file
 from derive.diagrams import files
 from derive.diagrams.blocks import Rows, Store, blocks, solved
-from derive.diagrams.branches import Diagram, diagram
-from derive.diagrams.diagram_picture import draw
+from derive.diagrams.branches import Diagram, beside_folds, diagram
+from derive.diagrams.diagram_picture import drawn
 from derive.diagrams.jumps import jumps
-from derive.diagrams.plotting import LETTERS, format_of
+from derive.diagrams.plotting import LETTERS, format_of, library
 from derive.diagrams.request import LOADS, Request, request
 from derive.diagrams.states import rows
-from derive.emit.kernels.folds import all_folds
 from derive.emit.scene import load_scene
 from derive.measure.loading import text_of
 from derive.numbers import MistakeError
 
-BESIDE = 1e-9  # on both sides of a fold that is known, relative: an event between, and no other
+MANY = 16  # blocks from which processes are worth their start
 
 
 def run_sweep(options: argparse.Namespace) -> int:
     """A diagram, or a family of them."""
     if options.plot:
         format_of(options.plot)
+        library()
     scene = load_scene(scene_path(options.scene))
     asked = request(options.scene, scene.parameters, {name: getattr(options, name) for name in LOADS})
     with running(options) as runner:
@@ -55,7 +53,7 @@ def curves(options: argparse.Namespace, module: ModuleType, asked: Request, fold
     """All diagrams: the blocks of all curves first, by whatever computes them, and then the events."""
     shipped = module.__name__.startswith("generated.")
     name, text = (module.__name__, "") if shipped else ("", text_of(module))
-    lines = [sorted({*asked.values, *beside_folds(asked, fixed, folded)}) for fixed in asked.curves]
+    lines = [sorted({*asked.values, *known_events(asked, {**folded, **fixed})}) for fixed in asked.curves]
     parts = [
         list(blocks(name, text, asked.parameter, line, fixed)) for line, fixed in zip(lines, asked.curves, strict=True)
     ]
@@ -65,6 +63,9 @@ def curves(options: argparse.Namespace, module: ModuleType, asked: Request, fold
             done = solved(todo, Store(options.store), pool, advance)
     except OSError as error:
         raise MistakeError(f"{error.filename or options.store}: cannot be written ({error.strerror})") from error
+    except (BrokenExecutor, CancelledError) as error:
+        kept = "what was done is kept: run the same again" if options.store else "with --store DIR nothing done is lost"
+        raise MistakeError(f"a process that computed was lost ({error or type(error).__name__}); {kept}") from error
     found = []
     for line, part, fixed in zip(lines, parts, asked.curves, strict=True):
         known = dict(zip(line, (row for block in part for row in done[block]), strict=True))
@@ -85,16 +86,11 @@ def solving(
     return solve
 
 
-def beside_folds(asked: Request, fixed: dict[str, float], folded: dict[str, float]) -> Iterator[float]:
-    """Over η: values on both sides of every fold, so that none hides between two values."""
+def known_events(asked: Request, rod: dict[str, float]) -> list[float]:
+    """Values on both sides of events that are known beforehand: over η the folds."""
     if asked.parameter != "eta":
-        return
-    rod = {**folded, **fixed}
-    low, high = asked.values[0], asked.values[-1]
-    for fold in all_folds(rod["beta"], rod["length"], rod["clamp_angle"], rod["field_angle"], low, high):
-        for value in (fold.eta * (1 - BESIDE), fold.eta * (1 + BESIDE)):
-            if low < value < high:
-                yield value
+        return []
+    return beside_folds(rod, rod["field_angle"], asked.values[0], asked.values[-1])
 
 
 @contextmanager
@@ -103,8 +99,8 @@ def executor(options: argparse.Namespace, number: int) -> Iterator[Executor | No
     if options.dask:
         with cluster(options.dask) as pool:
             yield pool
-    elif options.jobs > 1 and number > 1:
-        with ProcessPoolExecutor(options.jobs) as pool:
+    elif (workers := options.jobs or os.cpu_count() or 1) > 1 and number >= (2 if options.jobs else MANY):
+        with ProcessPoolExecutor(workers) as pool:
             yield pool
     else:
         yield None
@@ -137,23 +133,13 @@ def progress() -> Iterator[Callable[[int, int], None]]:
 
 def write(options: argparse.Namespace, found: list[Diagram]) -> None:
     """The files that were asked for."""
-    texts = {options.json: files.json_text, options.csv: files.csv_text}
-    for path, text in texts.items():
-        if path:
-            attempt(path, partial(write_atomically, path, text(found)))
+    save(options.json, files.data(found))
+    if options.csv:
+        write_file(options.csv, files.csv_text(found).encode())
     if options.npz:
-        data = files.npz_bytes(found)
-        attempt(options.npz, lambda: files.write_whole(options.npz, lambda stream: stream.write(data)))
+        write_file(options.npz, files.npz_bytes(found))
     if options.plot:
-        draw(found, options.show, options.plot)
-
-
-def attempt(path: Path, action: Callable[[], Any]) -> None:
-    """Write a file; MistakeError if that is not possible."""
-    try:
-        action()
-    except OSError as error:
-        raise MistakeError(f"{path}: cannot be written ({error.strerror}); choose another file") from error
+        write_file(options.plot, drawn(found, options.show, format_of(options.plot)))
 
 
 def show_diagram(number: int, one: Diagram) -> None:

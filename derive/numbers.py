@@ -17,10 +17,15 @@ def given_numbers(options: argparse.Namespace) -> dict[str, float]:
     texts = {name: getattr(options, name) for name in ("beta", "eta", "length", "clamp_angle", "field_angle")}
     values = {name: number(spelled_option(name), text) for name, text in texts.items() if text is not None}
     for name, value in values.items():
-        if (name in ("beta", "eta") and value < 0) or (name == "length" and value <= 0):
-            bound = "positive" if name == "length" else "at least 0"
-            raise MistakeError(f"--{name} must be {bound} (got {value:g})")
+        must_be_possible(name, value)
     return values
+
+
+def must_be_possible(name: str, value: float) -> None:
+    """MistakeError for a value that lies outside the range of its parameter."""
+    if (name in ("beta", "eta") and value < 0) or (name == "length" and value <= 0):
+        bound = "positive" if name == "length" else "at least 0"
+        raise MistakeError(f"--{name} must be {bound} (got {value:g})")
 
 
 def parameters(scene: str, module: ModuleType, values: dict[str, float]) -> dict[str, float]:

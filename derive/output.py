@@ -72,14 +72,15 @@ def read(path: Path) -> str | None:
         raise OutputError(f"{path}: cannot be read ({error.strerror}); choose another folder with --out") from error
 
 
-def write_all(files: Mapping[Path, str]) -> list[Path]:
+def write_all(files: Mapping[Path, str | bytes]) -> list[Path]:
     """Write the files that differ: all are written beside their places first, then moved there, all of them or none."""
     waiting: dict[Path, Path] = {}
     try:
-        for path, text in files.items():
-            if read(path) != text:
+        for path, given in files.items():
+            content = given.encode() if isinstance(given, str) else given
+            if not path.is_file() or path.read_bytes() != content:
                 path.parent.mkdir(parents=True, exist_ok=True)
-                waiting[path] = beside(path, text.encode())
+                waiting[path] = beside(path, content)
         move_all(waiting)
     except OSError as error:
         place = error.filename or next(iter(files)).parent

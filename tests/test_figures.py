@@ -9,25 +9,25 @@ import numpy as np
 import pytest
 
 from derive.cli import main
-from derive.emit.kernels.folds import all_folds
+from derive.diagrams.branches import diagram
+from derive.diagrams.states import rows
 from derive.report.figures import FIGURES, bifurcation, fold_set, remote_control, style
-from derive.report.figures.diagrams import between, pieces
 
 
 def second_example(number: int) -> tuple[list[float], list[tuple[np.ndarray, np.ndarray, int]]]:
-    """Folds of a curve, and its pieces as (η, w, index)."""
-    beta, clamp, highest = bifurcation.FORCES[number - 1], bifurcation.CLAMP, bifurcation.HIGHEST
-    folds = [one.eta for one in all_folds(beta, bifurcation.LENGTH, clamp, 0.0, 0.0, highest)]
-    found = pieces(bifurcation.sweep, beta, folds, 0.0, highest)
-    return folds, [(one.eta, style.across(one.y, one.z, clamp), one.index) for one in found]
+    """Folds of a curve, and its branches as (η, w, index)."""
+    found = bifurcation.curves(bifurcation.FORCES[number - 1])
+    branches = [(np.array(one.values), np.array(bifurcation.heights(one)), one.index) for one in found.branches]
+    return [event.value for event in found.events], branches
 
 
 def test_the_field_draws_the_tip_back() -> None:
     for beta in (remote_control.FORCES[0], remote_control.FORCES[-1]):
-        (piece,) = pieces(remote_control.sweep, beta, [], 0.0, remote_control.HIGHEST)
-        assert piece.index == 0
-        assert (np.diff(piece.y) < 0).all()
-        assert piece.y[-1] < 0.15 * piece.y[0]
+        (branch,) = remote_control.curves(beta).branches
+        y = np.array([state.y for state in branch.states])
+        assert branch.index == 0
+        assert (np.diff(y) < 0).all()
+        assert y[-1] < 0.15 * y[0]
 
 
 @pytest.mark.parametrize("number", [2, 5])
@@ -44,27 +44,30 @@ def test_a_strong_force_is_helped(number: int) -> None:
     assert len(folds) == 1
     lowest = [w for _, w, _ in found if w[0] < -45]
     assert lowest[0][-1] < lowest[0][0] < 0
-    assert sorted(index for eta, _, index in found if eta[0] >= folds[0]) == [0, 0, 1]
+    assert sorted(index for eta, _, index in found if eta[-1] > folds[0]) == [0, 0, 1]
 
 
 def test_folds_of_the_first_two_curves_are_outside() -> None:
     assert [len(second_example(number)[0]) for number in (1, 2, 3)] == [0, 0, 1]
 
 
+def test_a_fold_is_found_without_being_known() -> None:
+    fixed = {"beta": 0.00035, "length": bifurcation.LENGTH, "clamp_angle": bifurcation.CLAMP}
+    few = [0.0004, 0.0006]
+    found = diagram("eta", few, lambda some: rows(bifurcation.bifurcation_numpy, "eta", some, fixed), fixed)
+    assert [event.value for event in found.events] == pytest.approx(second_example(6)[0], rel=1e-13)
+
+
 def test_curves_meet_at_their_fold() -> None:
-    folds, found = second_example(6)
-    heights = sorted(w[0] for eta, w, _ in found if eta[0] >= folds[0])
+    (fold,), fixed = second_example(6)[0], {"beta": bifurcation.FORCES[5]}
+    (above,) = rows(bifurcation.bifurcation_numpy, "eta", [fold * (1 + 1e-9)], fixed)
+    heights = sorted(style.across(state.y, state.z, bifurcation.CLAMP) for state in above)
     assert heights[2] - heights[1] < 0.02 < heights[1] - heights[0]
 
 
 @pytest.mark.parametrize(("beta", "changes"), [(0.0003, [2]), (0.000303, [2, -2, 2]), (0.00031, [2])])
 def test_two_kinds_of_diagrams_and_one_between(beta: float, changes: list[int]) -> None:
     assert [one.change for one in fold_set.folds_at(beta)] == changes
-
-
-def test_a_fold_that_is_forgotten_is_seen() -> None:
-    with pytest.raises(ArithmeticError, match="number of equilibria changes"):
-        between(bifurcation.sweep, 0.00035, 0.0004, 0.0006)
 
 
 def test_files_depend_on_nothing_else(tmp_path: Path) -> None:
@@ -94,7 +97,7 @@ def test_without_matplotlib(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, cap
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     assert main(["figures", "separate-loads", "--out", str(tmp_path / "new")]) == 2
     error = capsys.readouterr().err
-    assert error == "derive figures: figures need matplotlib: pip install 'magnetic-rods[pictures]'\n"
+    assert error == "derive figures: a picture needs matplotlib: pip install 'magnetic-rods[pictures]'\n"
     assert not (tmp_path / "new").exists()
 
 

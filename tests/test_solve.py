@@ -14,6 +14,7 @@ import pytest
 
 from derive.cli import main
 from derive.diagrams import particle, picture, rod_file
+from derive.diagrams.plotting import FORMATS
 from derive.diagrams.target import reaching
 from derive.emit.kernels.folds import all_folds
 from generated import oblique_numpy, parallel_numpy
@@ -100,7 +101,7 @@ def test_mistakes_in_a_rod_file_are_one_line(
         (["solve"], "no rod is given"),
         (["solve", "parallel", "--rod", str(EXAMPLE)], "leave out the scene"),
         (["solve", "--rod", str(EXAMPLE), "--eta", "1"], "--eta is given by the file"),
-        (["solve", "parallel", *ROD, "--plot", "rod.gif"], ".svg, .png or .pdf"),
+        (["solve", "parallel", *ROD, "--plot", "rod.gif"], "must end in .svg, .png, .pdf"),
         (["solve", "parallel", *ROD, "--points", "1"], "--points must be at least 2"),
         (["solve", "parallel", *ROD, "--max-index", "-1"], "--max-index must be at least 0"),
         (["solve", "parallel", *ROD, "--target", "y=1"], "--eta is what is sought"),
@@ -141,7 +142,7 @@ def test_a_scene_without_shapes_is_drawn_all_the_same(tmp_path: Path) -> None:
     assert float(rows[4]["z"]) == pytest.approx(found[0].z, abs=1e-9)
 
 
-@pytest.mark.parametrize("suffix", picture.SUFFIXES)
+@pytest.mark.parametrize("suffix", FORMATS)
 def test_pictures_come_in_three_kinds(suffix: str) -> None:
     curve = picture.Curve(1, 1, 0.5, [0.0, 1.0], [0.0, 1.0])
     view = picture.View(1.5, 0.7, 1.0, True, "mm", "")
@@ -157,7 +158,7 @@ def test_a_full_disk_is_one_line(capsys: pytest.CaptureFixture[str]) -> None:
 
 @pytest.mark.parametrize(
     ("package", "arguments"),
-    [("matplotlib.figure", ["parallel", *ROD, "--plot", "a.svg"]), ("pint", ["--rod", str(EXAMPLE)])],
+    [("matplotlib", ["parallel", *ROD, "--plot", "a.svg"]), ("pint", ["--rod", str(EXAMPLE)])],
 )
 def test_a_missing_package_is_named(
     package: str, arguments: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]

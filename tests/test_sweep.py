@@ -15,8 +15,8 @@ import pytest
 
 from derive.cli import main
 from derive.diagrams.blocks import Block, Store, blocks, results, solved
-from derive.diagrams.branches import Diagram, diagram
-from derive.diagrams.jumps import hysteretic, jumps
+from derive.diagrams.branches import STEP, Diagram, diagram
+from derive.diagrams.jumps import jumps
 from derive.diagrams.states import State, rows
 from derive.emit.kernels.folds import all_folds
 from generated import oblique_numpy, parallel_numpy
@@ -42,7 +42,6 @@ def test_the_second_example_has_its_fold_and_its_jump() -> None:
     assert event.value == pytest.approx(0.000468041915201637, rel=1e-14)
     assert (event.below, event.above, event.change) == ((1,), (1, 2, 3), 2)
     assert (jump.direction, jump.leaves, jump.reaches, jump.value) == ("down", 3, (1,), event.value)
-    assert hysteretic(found)
 
 
 @pytest.mark.parametrize("beta", [0.0, 0.0002, 0.0003, 0.0004])
@@ -53,7 +52,8 @@ def test_events_over_the_field_are_the_folds_of_the_kernels(beta: float) -> None
     assert [one.value for one in found.events] == pytest.approx([one.eta for one in wanted], rel=1e-13)
     assert [one.change for one in found.events] == [one.change for one in wanted]
     assert [one.state.index for one in found.events] == [one.index for one in wanted]
-    assert [one.state.y for one in found.events] == pytest.approx([one.y for one in wanted], abs=1e-4)
+    # The two that meet are told apart by the root of rounding: that much is uncertain in the mean of both.
+    assert [one.state.y for one in found.events] == pytest.approx([one.y for one in wanted], abs=80 * 2.0**-26)
 
 
 def test_branches_are_complete_and_smooth() -> None:
@@ -66,7 +66,7 @@ def test_branches_are_complete_and_smooth() -> None:
     for branch in found.branches:
         assert all(a < b for a, b in pairwise(branch.values))
         tips = [state.tip_angle for state in branch.states]
-        assert max(abs(b - a) for a, b in pairwise(tips)) < 0.6
+        assert max(abs(b - a) for a, b in pairwise(tips)) <= STEP
     ends = {event.value for event in found.events} | {0.0, 6.3}
     assert all({one.values[0], one.values[-1]} <= ends for one in found.branches)
 

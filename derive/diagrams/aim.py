@@ -8,8 +8,9 @@ from typing import Any
 
 from derive.diagrams.problem import Problem
 from derive.diagrams.target import Reach, reaching
-from derive.diagrams.units import AskError, quantity, registry
+from derive.diagrams.units import quantity, registry
 from derive.emit.kernels.folds import all_folds
+from derive.numbers import MistakeError
 
 COORDINATES = {"y": "y", "z": "z", "angle": "tip_angle"}
 VARIED = {"eta": "eta", "field": "eta", "beta": "beta", "force": "beta", "field-angle": "field_angle"}
@@ -22,7 +23,7 @@ def goal(problem: Problem, text: str, number: Number) -> tuple[str, float]:
     """Coordinate and value of a target such as "y=-20" or "z=3 mm"."""
     name, mark, value = (part.strip() for part in text.partition("="))
     if name not in COORDINATES or not mark or not value:
-        raise AskError(f'--target: "{text}" is no target; write y=…, z=… or angle=…, as in --target y=-20')
+        raise MistakeError(f'--target: "{text}" is no target; write y=…, z=… or angle=…, as in --target y=-20')
     where = f"--target {name}"
     if name == "angle":
         return "tip_angle", turned(problem, value, where, number)
@@ -50,12 +51,12 @@ def limits(problem: Problem, name: str, text: str | None, number: Number) -> tup
         return (0.0, pi) if name == "field_angle" else (0.0, (FAR / problem.full["length"]) ** 2)
     parts = text.split(":")
     if len(parts) != 2:
-        raise AskError(f'--range: "{text}" is no range; write LOW:HIGH, as in --range 0:0.001')
+        raise MistakeError(f'--range: "{text}" is no range; write LOW:HIGH, as in --range 0:0.001')
     low, high = (inward(problem, name, part.strip(), number) for part in parts)
     if not low < high:
-        raise AskError(f'--range: "{text}" is empty; the first number must be the lower one')
+        raise MistakeError(f'--range: "{text}" is empty; the first number must be the lower one')
     if low < 0 and name != "field_angle":
-        raise AskError(f'--range: "{text}" goes below 0; begin at 0 (a field the other way is the same field)')
+        raise MistakeError(f'--range: "{text}" goes below 0; begin at 0 (a field the other way is the same field)')
     return low, high
 
 
@@ -99,7 +100,9 @@ def reached(problem: Problem, name: str, coordinate: str, value: float, low: flo
         try:
             return problem.equilibria(None, {name: parameter})
         except ArithmeticError as error:
-            raise AskError(f"the solver fails at {name} = {parameter!r} ({error}); choose another --range") from error
+            raise MistakeError(
+                f"the solver fails at {name} = {parameter!r} ({error}); choose another --range"
+            ) from error
 
     full = problem.full
     cuts = []

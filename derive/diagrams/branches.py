@@ -9,16 +9,20 @@ over η are known beforehand (``folds``), others need values close enough.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 from math import ulp
 
 from derive.diagrams.states import State
+from derive.emit.kernels.folds import all_folds
 
 Rows = Callable[[Sequence[float]], list[list[State]]]
+Point = tuple[float, list[State]]
 ALIKE = 5.0  # gaps of tip angles that differ by less than this factor close together: three equilibria meet
 RANGE = "range"
+STEP, DEPTH = 0.1, 8  # radians between neighbours, unless the interval has been halved that often
+BESIDE = 1e-9  # on both sides of a fold that is known, relative: the fold between, and no other
 CLOSER = 8  # values beside an event, each four times as close to it as the last
 
 
@@ -42,8 +46,7 @@ class Event:
     """Equilibria meet, and two of them are there on one side only.
 
     state: the one they become, with the lower of their indices. change: how many more there are above the value. below,
-    above: numbers of the branches on both sides, in the order of tip angles. place: of the lowest that meets, on the
-    side with more.
+    above: numbers of the branches on both sides, in the order of tip angles.
     """
 
     value: float
@@ -52,7 +55,6 @@ class Event:
     change: int
     below: tuple[int, ...]
     above: tuple[int, ...]
-    place: int
 
 
 @dataclass(frozen=True)
@@ -68,7 +70,7 @@ class Diagram:
 def diagram(parameter: str, values: Sequence[float], solve: Rows, fixed: dict[str, float]) -> Diagram:
     """The branches over the values, which ascend. solve: all equilibria at each of some values.
 
-    Values are added beside each event, where a branch turns as a square root does.
+    Values are added beside each event, where a branch turns as a square root does, and where tips move fast.
     """
     tracker = Tracker()
     low: Point = (values[0], solve(values[:1])[0])
@@ -77,7 +79,8 @@ def diagram(parameter: str, values: Sequence[float], solve: Rows, fixed: dict[st
         events = crossings(low, high, solve)
         between = beside([low[0], *(one[0][0] for one in events), high[0]]) if events else []
         line = sorted([*zip(between, solve(between), strict=True), *(point for pair in events for point in pair)])
-        for one, other in pairwise([low, *line, high]):
+        line = [low, *line, high]
+        for one, other in pairwise([part for pair in pairwise(line) for part in closer(*pair, solve)] + [high]):
             if (one, other) in events:
                 tracker.cross(one, other)
             tracker.go_on(*other)
@@ -94,7 +97,24 @@ def beside(ends: Sequence[float]) -> list[float]:
     return sorted(set(found))
 
 
-Point = tuple[float, list[State]]
+def closer(low: Point, high: Point, solve: Rows, depth: int = DEPTH) -> list[Point]:
+    """The first point, and others before the second one so that between neighbours no tip turns by more than STEP."""
+    pairs = zip(low[1], high[1], strict=False)
+    if not depth or kinds(low) != kinds(high) or all(abs(a.tip_angle - b.tip_angle) <= STEP for a, b in pairs):
+        return [low]
+    at = low[0] + (high[0] - low[0]) / 2
+    middle = (at, solve([at])[0])
+    return closer(low, middle, solve, depth - 1) + closer(middle, high, solve, depth - 1)
+
+
+def beside_folds(rod: Mapping[str, float], field_angle: float, low: float, high: float) -> list[float]:
+    """Values of η on both sides of every fold in a range, so that none hides between two others.
+
+    rod: its beta, length and clamp_angle.
+    """
+    folds = all_folds(rod["beta"], rod["length"], rod["clamp_angle"], field_angle, low, high)
+    found = (fold.eta * (1 + side * BESIDE) for fold in folds for side in (-1, 1))
+    return [value for value in found if low < value < high]
 
 
 def crossings(low: Point, high: Point, solve: Rows) -> list[tuple[Point, Point]]:
@@ -155,7 +175,7 @@ class Tracker:
         for start, size in meeting:
             lowest = min(state.index for state in more[1][start : start + size])
             state = middle(more[1][start : start + size], lowest)
-            self.events.append(Event(value, named(size), state, 2 if grows else -2, ids[0], ids[1], start))
+            self.events.append(Event(value, named(size), state, 2 if grows else -2, ids[0], ids[1]))
 
     @staticmethod
     def meeting(before: list[Branch], start: int, size: int, grows: bool) -> list[Branch]:

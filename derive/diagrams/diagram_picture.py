@@ -3,20 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Any
 
 from derive.diagrams.branches import Diagram
 from derive.diagrams.jumps import jumps, state_at
-from derive.diagrams.plotting import COLOURS, LETTERS, canvas, save
+from derive.diagrams.plotting import COLOURS, LETTERS, figure, saved, settings
 
 SHOWN = {"y": "y(ℓ)", "z": "z(ℓ)", "tip_angle": "θ(ℓ)", "energy": "energy", "clamp_curvature": "θ′(0)"}
 MARKS = {"fold": "o", "pitchfork": "D"}
 
 
-def draw(found: Sequence[Diagram], quantity: str, path: Path) -> None:
-    """The diagrams of a family in one picture, each in its colour."""
-    figure, axes = canvas(path)
+def drawn(found: Sequence[Diagram], quantity: str, kind: str) -> bytes:
+    """The diagrams of a family in one picture, each in its colour, as the bytes of a file."""
+    with settings(**{"font.size": 11}):
+        drawing = figure(figsize=(6.4, 4.8))
+        draw(drawing.add_subplot(), found, quantity)
+        return saved(drawing, kind, bbox_inches="tight")
+
+
+def draw(axes: Any, found: Sequence[Diagram], quantity: str) -> None:
+    """All curves, and what the lines mean."""
     changing = [name for name in found[0].fixed if len({one.fixed[name] for one in found}) > 1]
     for number, one in enumerate(found):
         colour = COLOURS[number % len(COLOURS)]
@@ -28,7 +34,6 @@ def draw(found: Sequence[Diagram], quantity: str, path: Path) -> None:
     axes.set_ylabel(SHOWN[quantity])
     axes.ticklabel_format(axis="x", style="sci", scilimits=(-3, 4), useMathText=True)
     legend(axes, found)
-    save(figure, path)
 
 
 def draw_branches(axes: Any, one: Diagram, quantity: str, colour: str, label: str) -> None:
@@ -62,4 +67,4 @@ def legend(axes: Any, found: Sequence[Diagram]) -> None:
             axes.plot([], [], style, color="#333333", lw=1.8, label=name)
     for kind in sorted({event.kind for one in found for event in one.events}):
         axes.plot([], [], MARKS[kind], color="#bbbbbb", mec="black", mew=0.8, label=kind)
-    axes.legend(frameon=False, fontsize=9, loc="upper left", bbox_to_anchor=(1.01, 1.0))
+    axes.legend(fontsize=9, loc="upper left", bbox_to_anchor=(1.01, 1.0))

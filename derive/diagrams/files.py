@@ -4,13 +4,9 @@ from __future__ import annotations
 
 import csv
 import io
-import json
-import os
-import tempfile
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict
-from pathlib import Path
-from typing import IO, Any
+from typing import Any
 
 import numpy as np
 
@@ -57,11 +53,6 @@ def data(found: Sequence[Diagram]) -> dict[str, Any]:
     }
 
 
-def json_text(found: Sequence[Diagram]) -> str:
-    """``data`` as JSON."""
-    return json.dumps(data(found), indent=2) + "\n"
-
-
 def npz_bytes(found: Sequence[Diagram]) -> bytes:
     """The points as arrays, a column each, and the events."""
     listed = list(points(found))
@@ -74,19 +65,5 @@ def npz_bytes(found: Sequence[Diagram]) -> bytes:
         "event_tip_angle": np.array([event.state.tip_angle for _, event in events], dtype=float),
     }
     stream = io.BytesIO()
-    np.savez_compressed(stream, **columns)  # type: ignore[arg-type]
+    np.savez_compressed(stream, allow_pickle=False, **columns)
     return stream.getvalue()
-
-
-def write_whole(path: Path, write: Callable[[IO[bytes]], Any]) -> None:
-    """Write a file that is not text, whole or not at all; OSError if that is not possible."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.stem}.", suffix=path.suffix)
-    try:
-        with os.fdopen(handle, "wb") as stream:
-            write(stream)
-        os.chmod(name, 0o644)
-        os.replace(name, path)
-    except BaseException:
-        Path(name).unlink(missing_ok=True)
-        raise

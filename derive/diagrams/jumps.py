@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from derive.diagrams.branches import RANGE, Branch, Diagram, Event
+from derive.diagrams.branches import Branch, Diagram, Event
 from derive.diagrams.states import State
 
 
@@ -75,9 +75,3 @@ def state_at(branch: Branch, value: float) -> State:
     """The state of a branch at the value nearest to this one."""
     place = min(range(len(branch.values)), key=lambda k: abs(branch.values[k] - value))
     return branch.states[place]
-
-
-def hysteretic(found: Diagram) -> bool:
-    """Whether somewhere more than one branch is stable."""
-    stable = [branch for branch in found.branches if branch.index == 0]
-    return len(stable) > 1 and any(branch.starts != RANGE or branch.ends != RANGE for branch in stable)

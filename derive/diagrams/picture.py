@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import io
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import cos, sin
 from typing import Any
 
-from derive.diagrams.plotting import COLOURS
-from derive.diagrams.units import AskError
+from derive.diagrams.plotting import COLOURS, figure, saved, settings
 
 INK = "#333333"
-SUFFIXES = ("svg", "png", "pdf")
 LABELS = 12  # a legend with more lines than these hides the rods
 
 
@@ -42,39 +39,17 @@ class View:
     turn: str
 
 
-def suffix_of(name: str) -> str:
-    """The kind of a picture file; AskError if it cannot be drawn."""
-    suffix = name.rpartition(".")[2].lower()
-    if "." not in name or suffix not in SUFFIXES:
-        raise AskError(f"{name}: a picture ends in .svg, .png or .pdf")
-    return suffix
-
-
-def libraries() -> Any:
-    """Matplotlib's figures, without a screen."""
-    try:
-        from matplotlib.figure import Figure
-    except ModuleNotFoundError as error:
-        raise AskError("a picture needs matplotlib: pip install 'magnetic-rods[pictures]'") from error
-    return Figure
-
-
 def drawn(curves: Sequence[Curve], view: View, suffix: str) -> bytes:
     """The picture as the bytes of a file."""
-    from matplotlib import rc_context
-
-    with rc_context({"svg.hashsalt": "magnetic-rods", "font.size": 11, "svg.fonttype": "path", "pdf.fonttype": 42}):
-        figure = libraries()(figsize=(6.4, 6.4))
-        axes = figure.add_subplot()
+    with settings(**{"font.size": 11}):
+        drawing = figure(figsize=(6.4, 6.4))
+        axes = drawing.add_subplot()
         draw_clamp(axes, view)
         for order, curve in enumerate(curves):
             draw_curve(axes, curve, COLOURS[order % len(COLOURS)], view, label=order < LABELS)
         draw_field(axes, curves, view)
         finish(axes, view, more=len(curves) - LABELS)
-        stream = io.BytesIO()
-        date = {"svg": {"Date": None}, "pdf": {"CreationDate": None}, "png": {}}[suffix]
-        figure.savefig(stream, format=suffix, bbox_inches="tight", metadata=date, dpi=150)
-    return stream.getvalue()
+        return saved(drawing, suffix, bbox_inches="tight")
 
 
 def draw_clamp(axes: Any, view: View) -> None:
@@ -130,6 +105,4 @@ def finish(axes: Any, view: View, more: int) -> None:
     axes.set_ylabel(f"y{unit}")
     if axes.get_legend_handles_labels()[0]:
         title = f"and {more} more" if more > 0 else None
-        axes.legend(loc="lower left", frameon=False, bbox_to_anchor=(0.0, 1.0), title=title)
-    for side in ("top", "right"):
-        axes.spines[side].set_visible(False)
+        axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), title=title)

@@ -1,40 +1,31 @@
-"""What all pictures share: matplotlib if it is there, colours, and files that are written whole."""
+"""What all pictures share: matplotlib if it is there, colours, and the bytes of a file."""
 
 from __future__ import annotations
 
+import io
 from pathlib import Path
 from typing import Any
 
-from derive.diagrams.files import write_whole
 from derive.numbers import MistakeError
 
 # Told apart without colour vision (Okabe and Ito).
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#8c6d1f", "#555555")
-FORMATS = ("svg", "png", "pdf")
+# What a drawn file says about its making: nothing that changes from run to run.
+UNDATED: dict[str, dict[str, Any]] = {
+    "svg": {"Date": None, "Creator": None},
+    "png": {"Software": None},
+    "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
+}
+FORMATS = tuple(UNDATED)
 SETTINGS: dict[Any, Any] = {
     "svg.hashsalt": "magnetic-rods",
-    "font.size": 11,
     "svg.fonttype": "path",
-    "pdf.compression": 6,
+    "pdf.fonttype": 42,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "legend.frameon": False,
 }
 LETTERS = {"beta": "β", "eta": "η", "length": "ℓ", "clamp_angle": "θ(0)", "field_angle": "α"}
-
-
-def canvas(path: Path, width: float = 6.4, height: float = 4.8) -> tuple[Any, Any]:
-    """An empty figure and its axes; MistakeError if the file's format or matplotlib is missing."""
-    format_of(path)
-    try:
-        import matplotlib
-    except ModuleNotFoundError as error:
-        raise MistakeError("a picture needs matplotlib: pip install 'magnetic-rods[pictures]'") from error
-    matplotlib.use("agg")
-    from matplotlib import pyplot
-
-    pyplot.rcParams.update(SETTINGS)
-    figure, axes = pyplot.subplots(figsize=(width, height))
-    for side in ("top", "right"):
-        axes.spines[side].set_visible(False)
-    return figure, axes
 
 
 def format_of(path: Path) -> str:
@@ -45,17 +36,31 @@ def format_of(path: Path) -> str:
     return suffix
 
 
-def save(figure: Any, path: Path) -> None:
-    """Write a figure, whole or not at all, the same bytes for the same figure."""
-    from matplotlib import pyplot
-
-    kind = format_of(path)
-    metadata = {"svg": {"Date": None}, "pdf": {"CreationDate": None}, "png": {}}[kind]
+def library() -> Any:
+    """Matplotlib; MistakeError where it is missing."""
     try:
-        write_whole(
-            path, lambda stream: figure.savefig(stream, format=kind, bbox_inches="tight", dpi=160, metadata=metadata)
-        )
-    except OSError as error:
-        raise MistakeError(f"{path}: cannot be written ({error.strerror}); choose another file") from error
-    finally:
-        pyplot.close(figure)
+        import matplotlib
+    except ModuleNotFoundError as error:
+        raise MistakeError("a picture needs matplotlib: pip install 'magnetic-rods[pictures]'") from error
+    return matplotlib
+
+
+def settings(**more: Any) -> Any:
+    """A context in which matplotlib has our settings and no others, and what is saved depends on nothing else."""
+    matplotlib = library()
+    return matplotlib.rc_context({**matplotlib.rcParamsDefault, **SETTINGS, **more})
+
+
+def figure(**options: Any) -> Any:
+    """An empty figure, without a screen."""
+    library()
+    from matplotlib.figure import Figure
+
+    return Figure(**options)
+
+
+def saved(drawn: Any, kind: str, **options: Any) -> bytes:
+    """A figure as the bytes of a file."""
+    stream = io.BytesIO()
+    drawn.savefig(stream, format=kind, dpi=160, metadata=UNDATED[kind], **options)
+    return stream.getvalue()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from derive.numbers import MistakeError, number, spelled_option
+from derive.numbers import MistakeError, must_be_possible, number, spelled_option
 
 LOADS = ("beta", "eta", "length", "clamp_angle", "field_angle")
 FEWEST, MOST = 2, 1_000_000
@@ -55,10 +55,8 @@ def family(several: list[str], given: Mapping[str, str], fixed: dict[str, float]
 
 def checked(name: str, text: str) -> float:
     """One number within the bounds of its parameter."""
-    option = spelled_option(name)
-    value = number(option, text.strip())
-    if (name in ("beta", "eta") and value < 0) or (name == "length" and value <= 0):
-        raise MistakeError(f"{option} must be {'positive' if name == 'length' else 'at least 0'} (got {value:g})")
+    value = number(spelled_option(name), text.strip())
+    must_be_possible(name, value)
     return value
 
 

@@ -10,7 +10,8 @@ from pathlib import Path
 from typing import Any
 
 from derive.diagrams import particle
-from derive.diagrams.units import AskError, quantity, registry
+from derive.diagrams.units import quantity, registry
+from derive.numbers import MistakeError
 
 QUANTITIES = {"length": "mm", "diameter": "mm", "youngs_modulus": "MPa", "field": "mT", "force": "mN"}
 PURE = ("volume_fraction", "aspect_ratio", "susceptibility", "susceptibility_across")
@@ -87,7 +88,7 @@ def in_unit_of_field(strength: float, unit: Any) -> float:
 
 
 def read_rod(path: Path) -> PhysicalRod:
-    """The rod of a file; AskError names file, key and mend."""
+    """The rod of a file; MistakeError names file, key and mend."""
     table = read_table(path)
     given = {key: quantity_at(table, path, key) for key in QUANTITIES}
     pure = {key: pure_at(table, path, key) for key in PURE if key in table}
@@ -98,7 +99,7 @@ def read_rod(path: Path) -> PhysicalRod:
     along = pure["susceptibility"]
     chi = particle.excess(along, pure.get("susceptibility_across", along), pure["aspect_ratio"])
     if chi <= 0:
-        raise AskError(f"{path}: susceptibility_across: the particles would turn across the field; lower it")
+        raise MistakeError(f"{path}: susceptibility_across: the particles would turn across the field; lower it")
     unit = given["length"].units
     return PhysicalRod(
         float(given["length"].magnitude),
@@ -119,17 +120,17 @@ def read_table(path: Path) -> dict[str, Any]:
     try:
         table = tomllib.loads(path.read_text(encoding="utf-8"))
     except OSError as error:
-        raise AskError(f"{path}: cannot be read ({error.strerror}); see examples/rod.toml") from error
+        raise MistakeError(f"{path}: cannot be read ({error.strerror}); see examples/rod.toml") from error
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise AskError(f"{path}: no TOML ({error}); see examples/rod.toml") from error
+        raise MistakeError(f"{path}: no TOML ({error}); see examples/rod.toml") from error
     for key in table:
         if key not in KEYS:
-            raise AskError(f"{path}: {key}: unknown key; possible: {', '.join(KEYS)}")
+            raise MistakeError(f"{path}: {key}: unknown key; possible: {', '.join(KEYS)}")
     for key in KEYS:
         if key not in table and key not in OPTIONAL:
             example = f'"1 {QUANTITIES[key]}"' if key in QUANTITIES else '"90 degree"' if key in ANGLES else "10"
             example = "0.1" if key == "volume_fraction" else example
-            raise AskError(f"{path}: {key} is missing; add a line such as {key} = {example}")
+            raise MistakeError(f"{path}: {key} is missing; add a line such as {key} = {example}")
     return table
 
 
@@ -137,7 +138,7 @@ def quantity_at(table: Mapping[str, Any], path: Path, key: str) -> Any:
     """A quantity with a unit, not negative; zero only where a load may be absent."""
     value, like, where = table[key], QUANTITIES[key], f"{path}: {key}"
     if not isinstance(value, str):
-        raise AskError(f'{where}: {value!r} has no unit; write it in quotes, as in "1 {like}"')
+        raise MistakeError(f'{where}: {value!r} has no unit; write it in quotes, as in "1 {like}"')
     in_amperes = key == "field" and "A" in value and not value.rstrip().endswith("T")
     found = quantity(value, "A/m" if in_amperes else like, where)
     if found.magnitude < 0 or (found.magnitude == 0 and key not in MAY_VANISH):
@@ -145,7 +146,7 @@ def quantity_at(table: Mapping[str, Any], path: Path, key: str) -> Any:
             "field": "it must be at least 0; its direction is field_angle",
             "force": "it must be at least 0; it points along y",
         }.get(key, "it must be positive")
-        raise AskError(f'{where}: "{value}" is not possible; {mend}')
+        raise MistakeError(f'{where}: "{value}" is not possible; {mend}')
     return found
 
 
@@ -153,7 +154,7 @@ def pure_at(table: Mapping[str, Any], path: Path, key: str) -> float:
     """A number without unit."""
     value = table[key]
     if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-        raise AskError(f"{path}: {key}: {value!r} is no finite number; write one without unit or quotes")
+        raise MistakeError(f"{path}: {key}: {value!r} is no finite number; write one without unit or quotes")
     return float(value)
 
 
@@ -166,13 +167,15 @@ def angle_at(table: Mapping[str, Any], path: Path, key: str) -> float:
 
 
 def must_be_a_rod(given: Mapping[str, Any], pure: Mapping[str, float], path: Path) -> None:
-    """AskError for what is no rod with prolate particles in it."""
+    """MistakeError for what is no rod with prolate particles in it."""
     if not 0 < pure["volume_fraction"] < 1:
-        raise AskError(f"{path}: volume_fraction: {pure['volume_fraction']:g} must lie between 0 and 1")
+        raise MistakeError(f"{path}: volume_fraction: {pure['volume_fraction']:g} must lie between 0 and 1")
     if pure["aspect_ratio"] <= 1:
-        raise AskError(f"{path}: aspect_ratio: {pure['aspect_ratio']:g} must be above 1: a prolate particle")
+        raise MistakeError(f"{path}: aspect_ratio: {pure['aspect_ratio']:g} must be above 1: a prolate particle")
     for key in PURE[2:]:
         if pure.get(key, 1.0) <= 0:
-            raise AskError(f"{path}: {key}: {pure[key]:g} must be positive: a paramagnetic particle")
+            raise MistakeError(f"{path}: {key}: {pure[key]:g} must be positive: a paramagnetic particle")
     if given["diameter"] >= given["length"]:
-        raise AskError(f"{path}: diameter: {given['diameter']:~} is no less than the length; a rod is longer than that")
+        raise MistakeError(
+            f"{path}: diameter: {given['diameter']:~} is no less than the length; a rod is longer than that"
+        )

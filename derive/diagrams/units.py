@@ -6,9 +6,7 @@ import math
 from functools import cache
 from typing import Any
 
-
-class AskError(ValueError):
-    """Something that was asked for cannot be; the message says what, where, and what mends it."""
+from derive.numbers import MistakeError
 
 
 @cache
@@ -17,17 +15,17 @@ def registry() -> Any:
     try:
         import pint
     except ModuleNotFoundError as error:
-        raise AskError("units need the package pint: pip install 'magnetic-rods[units]'") from error
+        raise MistakeError("units need the package pint: pip install 'magnetic-rods[units]'") from error
     return pint.UnitRegistry()
 
 
 def quantity(text: str, like: str, where: str) -> Any:
-    """The text as a quantity of the dimension of the unit ``like``; AskError names ``where``."""
+    """The text as a quantity of the dimension of the unit ``like``; MistakeError names ``where``."""
     found = parsed(text, f'write it as in "1 {like}"', where)
     if not found.is_compatible_with(like):
-        raise AskError(f'{where}: "{text}" is no {meaning(like)}; write it as in "1 {like}"')
+        raise MistakeError(f'{where}: "{text}" is no {meaning(like)}; write it as in "1 {like}"')
     if registry()(like).dimensionless and found.unitless:
-        raise AskError(f'{where}: "{text}" has no unit; write it as in "1 {like}"')
+        raise MistakeError(f'{where}: "{text}" has no unit; write it as in "1 {like}"')
     return found
 
 
@@ -37,14 +35,14 @@ def parsed(text: str, mend: str, where: str) -> Any:
     try:
         value = float(amount)
     except ValueError:
-        raise AskError(f'{where}: "{text}" does not begin with a number; {mend}') from None
+        raise MistakeError(f'{where}: "{text}" does not begin with a number; {mend}') from None
     if not math.isfinite(value):
-        raise AskError(f'{where}: "{text}" is no finite number; {mend}')
+        raise MistakeError(f'{where}: "{text}" is no finite number; {mend}')
     units = registry()
     try:
         return units.Quantity(value, units.parse_units(unit))
     except Exception as error:  # pint raises errors of its own, of its parser's and of Python's tokeniser
-        raise AskError(f'{where}: "{unit}" is no unit; {mend}') from error
+        raise MistakeError(f'{where}: "{unit}" is no unit; {mend}') from error
 
 
 def split(text: str) -> tuple[str, str, str]:

@@ -2,19 +2,14 @@
 
 from __future__ import annotations
 
-import io
 from collections.abc import Callable
 from typing import Any
 
+from derive.diagrams import plotting
+from derive.diagrams.plotting import FORMATS
 from derive.report.figures import bifurcation, deformed, fold_set, remote_control, style, turning_field
 
-FORMATS = ("svg", "png", "pdf")
-# What a drawn file says about its making: nothing that changes from run to run.
-_UNDATED: dict[str, dict[str, Any]] = {
-    "svg": {"Date": None, "Creator": None},
-    "png": {"Software": None},
-    "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
-}
+__all__ = ["FIGURES", "FORMATS", "draw"]
 
 FIGURES: dict[str, Callable[[Any], None]] = {
     "remote-control": remote_control.draw,
@@ -27,19 +22,8 @@ FIGURES: dict[str, Callable[[Any], None]] = {
 
 
 def draw(name: str, formats: tuple[str, ...]) -> dict[str, bytes]:
-    """A figure in each of the formats; ImportError where matplotlib is missing."""
-    import matplotlib
-    from matplotlib.figure import Figure
-
-    with matplotlib.rc_context():
-        matplotlib.rcdefaults()
-        matplotlib.rcParams.update(style.SETTINGS)
-        figure = Figure(layout="constrained")
+    """A figure in each of the formats; MistakeError where matplotlib is missing."""
+    with plotting.settings(**style.SETTINGS):
+        figure = plotting.figure(layout="constrained")
         FIGURES[name](figure)
-        return {kind: _saved(figure, kind) for kind in formats}
-
-
-def _saved(figure: Any, kind: str) -> bytes:
-    stream = io.BytesIO()
-    figure.savefig(stream, format=kind, dpi=160, metadata=_UNDATED[kind])
-    return stream.getvalue()
+        return {kind: plotting.saved(figure, kind) for kind in formats}

@@ -10,16 +10,7 @@ import numpy as np
 # Okabe and Ito's colours, which readers without full colour vision tell apart; grey for what is not data.
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000", "#8c6d1f")
 GREY = "#444444"
-SETTINGS: Any = {
-    "svg.hashsalt": "magnetic-rods",
-    "svg.fonttype": "path",
-    "mathtext.fontset": "stix",
-    "font.size": 10,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "legend.frameon": False,
-    "lines.linewidth": 1.8,
-}
+SETTINGS: Any = {"mathtext.fontset": "stix", "font.size": 10, "lines.linewidth": 1.8}
 STABLE, UNSTABLE = "-", (0, (4, 2))
 
 
