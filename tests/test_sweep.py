@@ -67,6 +67,8 @@ def test_branches_are_complete_and_smooth() -> None:
         assert all(a < b for a, b in pairwise(branch.values))
         tips = [state.tip_angle for state in branch.states]
         assert max(abs(b - a) for a, b in pairwise(tips)) <= STEP
+        # Neighbours are far enough apart that rounding does not show in the direction from one to the next.
+        assert min(b - a for a, b in pairwise(branch.values)) > 1e-8
     ends = {event.value for event in found.events} | {0.0, 6.3}
     assert all({one.values[0], one.values[-1]} <= ends for one in found.branches)
 

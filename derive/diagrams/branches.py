@@ -83,7 +83,8 @@ def diagram(parameter: str, values: Sequence[float], solve: Rows, fixed: dict[st
         for one, other in pairwise([part for pair in pairwise(line) for part in closer(*pair, solve)] + [high]):
             if (one, other) in events:
                 tracker.cross(one, other)
-            tracker.go_on(*other)
+            elif not any(other in pair for pair in events):  # next to an event others have nothing to show
+                tracker.go_on(*other)
         low = high
     return Diagram(parameter, fixed, tracker.branches, tracker.events)
 
