@@ -18,7 +18,7 @@ Formulas, each proved equal to its derivation:
     second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic, turn_level, turn_over (DLMF 4.21(iii)),
     turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
     w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 877669e0ec9f65ff4ec4755566b1c58a35670a8ee75c0aba66d7f74be5e181cd
+Digest of the inputs: sha256 ff1c390741eacfa4f4175e88e4df7242c4955ead022ce91ffd37c739cdb15ecf
 """
 
 from __future__ import annotations
@@ -1057,9 +1057,10 @@ def level_turn(ground):
     down = basin.well.angle - basin.hill.angle
     above, below = -fall(eta, basin.well, 0, at[1]), fall(eta, basin.far, 0, at[2])
     from_well = reach(eta, basin.well, above, down, -1)
-    # Towards the well V is flat and tells little, but there the angles tell all.
-    rough = down - level - from_well
-    width = pick(below < above / 4, onward(eta, basin.hill, level, below, rough), rough)
+    # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
+    from_hill = reach(eta, basin.hill, ground.drop + below, down, 1)
+    near = onward(eta, basin.hill, level, below, from_hill - level)
+    width = pick(below < above / 4, near, down - level - from_well)
     return piece_of(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
 
 

@@ -18,7 +18,7 @@ Formulas, each proved equal to its derivation:
     second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic, turn_level, turn_over (DLMF 4.21(iii)),
     turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
     w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 b50aa4fed5a7c6d2eaea9900057fc4d9687eab338d9dfa8883342a3019b0ddc7
+Digest of the inputs: sha256 3083638f75e4c7a5b2e1b706396927498ca25dec3c6deea11f452335dd00a3a8
 """
 
 from __future__ import annotations
@@ -1024,9 +1024,10 @@ def level_turn(ground):
     down = basin.well.angle - basin.hill.angle
     above, below = -fall(eta, basin.well, 0, at[1]), fall(eta, basin.far, 0, at[2])
     from_well = reach(eta, basin.well, above, down, -1)
-    # Towards the well V is flat and tells little, but there the angles tell all.
-    rough = down - level - from_well
-    width = pick(below < above / 4, onward(eta, basin.hill, level, below, rough), rough)
+    # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
+    from_hill = reach(eta, basin.hill, ground.drop + below, down, 1)
+    near = onward(eta, basin.hill, level, below, from_hill - level)
+    width = pick(below < above / 4, near, down - level - from_well)
     return piece_of(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
 
 

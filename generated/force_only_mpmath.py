@@ -17,7 +17,7 @@ Formulas, each proved equal to its derivation:
     rest_fall, rest_moment, rest_stiffness, second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic,
     turn_level, turn_over (DLMF 4.21(iii)), turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7),
     w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 a21bd18462d53628e278a7520cc1f593310793276ea6304481e9005ef02ab3aa
+Digest of the inputs: sha256 1588ea036c01f0ba94d6874a10bdd7d4dd07ec608d242eb63ab5233764163735
 """
 
 from __future__ import annotations
@@ -988,9 +988,10 @@ def level_turn(ground):
     down = basin.well.angle - basin.hill.angle
     above, below = -fall(basin.well, 0, at[1]), fall(basin.far, 0, at[2])
     from_well = reach(basin.well, above, down, -1)
-    # Towards the well V is flat and tells little, but there the angles tell all.
-    rough = down - level - from_well
-    width = pick(below < above / 4, onward(basin.hill, level, below, rough), rough)
+    # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
+    from_hill = reach(basin.hill, ground.drop + below, down, 1)
+    near = onward(basin.hill, level, below, from_hill - level)
+    width = pick(below < above / 4, near, down - level - from_well)
     return piece_of(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
 
 

@@ -17,7 +17,7 @@ Formulas, each proved equal to its derivation:
     rest_fall, rest_moment, rest_stiffness, second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic,
     turn_level, turn_over (DLMF 4.21(iii)), turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7),
     w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 e071d420c959fe17da5d7ba7b7c31212da95ba20df78ab22aae48aca8649e0a4
+Digest of the inputs: sha256 dd1094f3a205a38952d04c8aaf8046d166b8e30ccf146bb5b7e8e4adf5c023eb
 """
 
 from __future__ import annotations
@@ -950,9 +950,10 @@ def level_turn(ground):
     down = basin.well.angle - basin.hill.angle
     above, below = -fall(basin.well, 0, at[1]), fall(basin.far, 0, at[2])
     from_well = reach(basin.well, above, down, -1)
-    # Towards the well V is flat and tells little, but there the angles tell all.
-    rough = down - level - from_well
-    width = pick(below < above / 4, onward(basin.hill, level, below, rough), rough)
+    # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
+    from_hill = reach(basin.hill, ground.drop + below, down, 1)
+    near = onward(basin.hill, level, below, from_hill - level)
+    width = pick(below < above / 4, near, down - level - from_well)
     return piece_of(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
 
 

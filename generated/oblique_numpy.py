@@ -18,7 +18,7 @@ Formulas, each proved equal to its derivation:
     second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic, turn_level, turn_over (DLMF 4.21(iii)),
     turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
     w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 3de52d791382784b88f7b7066636ecd36c37f4092bb8b122cb3cb9137d124094
+Digest of the inputs: sha256 6fffcd6eaa7b9322635ec9a53fd2c705cc90314a1d0bd295c5462eb871391991
 """
 
 from __future__ import annotations
@@ -1202,9 +1202,10 @@ def level_turn(ground):
     down = basin.well.angle - basin.hill.angle
     above, below = -fall(eta, basin.well, 0, at[1]), fall(eta, basin.far, 0, at[2])
     from_well = reach(eta, basin.well, above, down, -1)
-    # Towards the well V is flat and tells little, but there the angles tell all.
-    rough = down - level - from_well
-    width = pick(below < above / 4, onward(eta, basin.hill, level, below, rough), rough)
+    # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
+    from_hill = reach(eta, basin.hill, ground.drop + below, down, 1)
+    near = onward(eta, basin.hill, level, below, from_hill - level)
+    width = pick(below < above / 4, near, down - level - from_well)
     return piece_of(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
 
 

@@ -14,7 +14,7 @@ Formulas, each proved equal to its derivation:
     point_pole (exsl22), pole_gap, rest_fall, rest_moment, rest_stiffness, rj_delta_imag (DLMF 19.26(iii)),
     rj_delta_real (DLMF 19.26(iii)), second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic,
     w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 bc202e7eca88e6ed4b0b47e70cc4568947aad4b6f38d827bd0bd38c434adfd81
+Digest of the inputs: sha256 8b5c6368dab9889da00e11cf7a2b51fae071fab569a3f43a507639469bfc9848
 """
 
 from __future__ import annotations
@@ -921,9 +921,10 @@ def level_turn(ground):
     down = basin.well.angle - basin.hill.angle
     above, below = -fall(eta, basin.well, 0, at[1]), fall(eta, basin.far, 0, at[2])
     from_well = reach(eta, basin.well, above, down, -1)
-    # Towards the well V is flat and tells little, but there the angles tell all.
-    rough = down - level - from_well
-    width = pick(below < above / 4, onward(eta, basin.hill, level, below, rough), rough)
+    # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
+    from_hill = reach(eta, basin.hill, ground.drop + below, down, 1)
+    near = onward(eta, basin.hill, level, below, from_hill - level)
+    width = pick(below < above / 4, near, down - level - from_well)
     return piece_of(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
 
 

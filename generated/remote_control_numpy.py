@@ -14,7 +14,7 @@ Formulas, each proved equal to its derivation:
     point_pole (exsl22), pole_gap, rest_fall, rest_moment, rest_stiffness, rj_delta_imag (DLMF 19.26(iii)),
     rj_delta_real (DLMF 19.26(iii)), second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic,
     w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 e02a026d9a12688594b12a4468d49d0794305fbbdfefc2b55a192a66c9489d00
+Digest of the inputs: sha256 5e16734c84384c52b9cbbc1da869c214de3319bcc6f7735d135239921d3aaf44
 """
 
 from __future__ import annotations
@@ -869,9 +869,10 @@ def level_turn(ground):
     down = basin.well.angle - basin.hill.angle
     above, below = -fall(eta, basin.well, 0, at[1]), fall(eta, basin.far, 0, at[2])
     from_well = reach(eta, basin.well, above, down, -1)
-    # Towards the well V is flat and tells little, but there the angles tell all.
-    rough = down - level - from_well
-    width = pick(below < above / 4, onward(eta, basin.hill, level, below, rough), rough)
+    # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
+    from_hill = reach(eta, basin.hill, ground.drop + below, down, 1)
+    near = onward(eta, basin.hill, level, below, from_hill - level)
+    width = pick(below < above / 4, near, down - level - from_well)
     return piece_of(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
 
 

@@ -21,6 +21,7 @@ from derive.measure.counts import count
 from derive.measure.hard import wrong_in_kind
 from derive.measure.long_rods import refine
 from derive.measure.reference import Rod
+from generated import parallel_mpmath
 
 # Shares of force and field, and the field's angle; None is any.
 CASES: dict[str, tuple[tuple[float, float] | None, float | None]] = {
@@ -163,6 +164,15 @@ def test_a_force_that_all_but_vanishes_beside_a_long_field() -> None:
     assert not wrong_in_kind(solved(Rod(1e-100, 1.0, 1000.0, 2.3, 0.3)), None)
     assert not wrong_in_kind(solved(Rod(1.0, 1.0, 265.0, -6.413092806963318, pi / 2)), None)
     assert len(solved(Rod(2.01e-22, 7.744, 0.105, 4e-323, pi - 1e-12))) == 1
+    # Clamped within 1e-8 of a hill, from where the level of the ridge is told by the distance from the hill alone.
+    found = solved(Rod(2.697960732202673e-22, 0.17354894293016032, 290.64056494266777, -3.141592643589793, 0.0))
+    assert not wrong_in_kind(found, None)
+    twins = parallel_mpmath.equilibria(
+        2.697960732202673e-22, 0.17354894293016032, 290.64056494266777, -3.141592643589793, dps=60
+    )
+    assert [one.index for one in found] == [one.index for one in twins]
+    assert [one.tip_angle for one in found] == pytest.approx([float(one.tip_angle) for one in twins], abs=1e-15)
+    assert not wrong_in_kind(solved(Rod(4.88e-16, 0.00664, 1361.3, 1.5707963367948963, -1.5707963167948968)), None)
 
 
 @pytest.mark.hours

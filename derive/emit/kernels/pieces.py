@@ -264,9 +264,10 @@ def level_turn(ground):
     down = basin.well.angle - basin.hill.angle
     above, below = -fall(eta, basin.well, 0, at[1]), fall(eta, basin.far, 0, at[2])
     from_well = reach(eta, basin.well, above, down, -1)
-    # Towards the well V is flat and tells little, but there the angles tell all.
-    rough = down - level - from_well
-    width = pick(below < above / 4, onward(eta, basin.hill, level, below, rough), rough)
+    # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
+    from_hill = reach(eta, basin.hill, ground.drop + below, down, 1)
+    near = onward(eta, basin.hill, level, below, from_hill - level)
+    width = pick(below < above / 4, near, down - level - from_well)
     return piece_of(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
 
 

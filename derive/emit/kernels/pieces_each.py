@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/pieces.py: do not edit, change that file.
 
-Digest of the inputs: sha256 263b37cda7364fea87d4c4acd6ce2b63d8f748e3c33ab9ed62dda463a3f0d389
+Digest of the inputs: sha256 a5aafe179cd7a68f226d381b55100111d2bdb2923170c61068bbd0af7c514e5e
 """
 
 from __future__ import annotations
@@ -276,9 +276,10 @@ def level_turn_each(ground):
     down = basin.well.angle - basin.hill.angle
     above, below = -fall_each(eta, basin.well, 0, at[1]), fall_each(eta, basin.far, 0, at[2])
     from_well = reach_each(eta, basin.well, above, down, -1)
-    # Towards the well V is flat and tells little, but there the angles tell all.
-    rough = down - level - from_well
-    width = pick(below < above / 4, onward_each(eta, basin.hill, level, below, rough), rough)
+    # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
+    from_hill = reach_each(eta, basin.hill, ground.drop + below, down, 1)
+    near = onward_each(eta, basin.hill, level, below, from_hill - level)
+    width = pick(below < above / 4, near, down - level - from_well)
     return piece_of_each(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
 
 
