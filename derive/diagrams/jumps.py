@@ -9,8 +9,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from derive.diagrams.branches import Branch, Diagram, Event
+from derive.diagrams.branches import Diagram
 from derive.diagrams.states import State
+from derive.diagrams.tracker import Branch, Event
 
 
 @dataclass(frozen=True)

@@ -7,8 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from derive.diagrams.branches import RANGE, Branch, Diagram, beside_folds, diagram
+from derive.diagrams.branches import Diagram, beside_folds, diagram
 from derive.diagrams.states import rows
+from derive.diagrams.tracker import RANGE, Branch
 from derive.report.figures import style
 from generated import bifurcation_numpy
 
