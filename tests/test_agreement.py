@@ -104,9 +104,11 @@ def test_wrong_answers_are_seen(known: Any, change: Any, words: str) -> None:
     ("swept", "words"),
     [
         (lambda s: {**s, "case": [case + 1 for case in s["case"]]}, "sweep: case[0] is 1, and equilibria gives 0"),
-        (lambda s: {**s, "index": s["index"][:-1]}, "sweep: index has 5 rows instead of 6"),
+        (lambda s: {**s, "index": s["index"][:-1]}, "sweep: index has 191 rows instead of 192"),
         (lambda s: {**s, "y": s["z"]}, "sweep: y[0] is"),
-        (lambda s: {**s, "energy": [*s["energy"][:-1], float("nan")]}, "sweep: energy[5] is nan"),
+        (lambda s: {**s, "gamma": [*s["gamma"][:-1], s["gamma"][-1] * (1 + 1e-12)]}, "sweep: gamma[191] is"),
+        (lambda s: {**s, "index": [*s["index"][:-1], s["index"][-1] + 1]}, "sweep: index[191] is"),
+        (lambda s: {**s, "energy": [*s["energy"][:-1], float("nan")]}, "sweep: energy[191] is nan"),
         (lambda s: {name: s[name] for name in s if name != "gamma"}, "has no attribute 'gamma'"),
         (lambda s: 1 / 0, "sweep fails with ZeroDivisionError"),
     ],
@@ -156,8 +158,12 @@ KERNEL_MUTANTS = [
     pytest.param("search", "else (1, -1)\n", "else (1,)\n", id="half of the branches"),
     pytest.param("search", "+ sign * item.arrival - length", "- sign * item.arrival - length", id="the other branch"),
     pytest.param("landscape", "eta - beta", "eta + beta", id="wells in the wrong place"),
-    pytest.param("api", "array([case for case", "array([case + 1 for case", id="cases of a sweep one too high"),
-    pytest.param("api", "[item.y for _, item", "[item.z for _, item", id="a column of a sweep for another"),
+    pytest.param("blocks", "case=found.case + start", "case=found.case + 1", id="cases of a sweep one too high"),
+    pytest.param("block_tips", "-side * found.sign", "found.sign", id="a sign in a sweep"),
+    pytest.param("block_tips", "side * ldexp(z, -scale)", "ldexp(z, -scale)", id="no mirror image in a sweep"),
+    pytest.param("block_tips", "+= 2 * turns * change", "+= turns * change", id="half of the swings in a sweep"),
+    pytest.param("block_pieces", "~strong & ~alone", "strong & ~alone", id="one well for two in a sweep"),
+    pytest.param("block_search", "ceil(low), 0)", "ceil(low), 1)", id="tips missing from a sweep"),
 ]
 
 
@@ -190,8 +196,11 @@ def test_a_scene_of_sweeps_alone_is_compared(trial: Any, backend: str, unit: flo
     scene = replace(load_scene(shipped_scenes()["parallel"]), outputs=("sweep",))
     module = emit_module(theory(), scene, backend)
     assert agreement(load(module.text), trial[:1], unit).reasons() == []
-    wrong = re.sub(r"\[item\.y for _, item", "[item.z for _, item", module.text)
-    assert any(line.startswith("sweep: y[0] is") for line in agreement(load(wrong), trial[:1], unit).reasons())
+    wrong = re.sub(r"\[item\.y for _, item", "[item.z for _, item", module.text).replace(" found.y,", " found.z,")
+    assert wrong != module.text
+    assert any(
+        line.startswith(("sweep: y[0]", "y is off")) for line in agreement(load(wrong), trial[:1], unit).reasons()
+    )
 
 
 @pytest.mark.parametrize(

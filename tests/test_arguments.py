@@ -20,8 +20,9 @@ from derive.emit.kernels import (
     arithmetic_mpmath,
     array_arithmetic,
     array_arithmetic_mpmath,
+    blocks,
 )
-from derive.emit.kernels.arguments import index_limit, many_rods
+from derive.emit.kernels.arguments import Given, common_shape, index_limit
 from generated import field_only_numpy, parallel_mpmath, parallel_numpy
 
 NAMES = ("beta", "eta", "length", "clamp_angle", "field_angle")
@@ -80,8 +81,8 @@ def test_every_kind_of_real_number_is_taken(number):
 
 
 def test_zero_has_no_sign():
-    (rod,), rods = api.equilibria(-0.0, -0.0, 1, 0, 0), many_rods(np.array([-0.0]), -0.0, 1, 0, 0)
-    assert [math.copysign(1, value) for value in (rod.rod.beta, rod.rod.eta, *rods.beta, *rods.eta)] == [1, 1, 1, 1]
+    (rod,), swept = api.equilibria(-0.0, -0.0, 1, 0, 0), api.sweep(np.array([-0.0] * 20), -0.0, 1, 0, 0)
+    assert [math.copysign(1, value) for value in (rod.rod.beta, rod.rod.eta, *swept.gamma)] == [1] * 22
 
 
 @pytest.mark.parametrize("value", [True, 1.5, 2.0, "1", [1], np.True_, math.nan], ids=repr)
@@ -134,7 +135,7 @@ def test_arrays_compute_what_scalars_compute():
     for name in ("acos", "asin", "atan", "cos", "exp", "floor", "log", "sin", "sqrt"):
         one, each = getattr(arithmetic, name), getattr(array_arithmetic, f"each_{name}")
         assert each(x) == pytest.approx([one(value) for value in x.tolist()], rel=4e-16)
-    assert array_arithmetic.pick(x > 0.3, 1, 2).tolist() == [arithmetic.pick(v > 0.3, 1, 2) for v in x]
+    assert array_arithmetic.each_pick(x > 0.3, 1, 2).tolist() == [arithmetic.pick(v > 0.3, 1, 2) for v in x]
     assert array_arithmetic.larger(x, 0.5).tolist() == [arithmetic.larger(v, 0.5) for v in x.tolist()]
 
 
@@ -184,12 +185,13 @@ def test_arrays_that_do_not_broadcast():
 
 
 def test_what_is_broadcast():
-    rods = many_rods(1, np.arange(3), [[1], [2]], Fraction(1, 2), np.float32(0))
-    assert {part.shape for part in rods} == {(6,)}
-    assert rods.eta.tolist() == [0, 1, 2, 0, 1, 2]
-    assert rods.length.tolist() == [1, 1, 1, 2, 2, 2]
-    assert {part.dtype.kind for part in rods} == {"f"}
-    assert many_rods([], 1, 1, 1, 1).beta.size == 0
+    given = (1, np.arange(1, 4), [[1], [2]], Fraction(1, 2), np.float32(0))
+    assert common_shape(Given(*(np.asarray(part, dtype=float) for part in given))) == (2, 3)
+    found = api.sweep(*given)
+    rods = [(1, eta, length, 0.5, 0) for length in (1, 2) for eta in (1, 2, 3)]
+    wanted = [(case, one.tip_angle) for case, rod in enumerate(rods) for one in api.equilibria(*rod)]
+    assert list(zip(found.case.tolist(), found.tip_angle.tolist(), strict=True)) == wanted
+    assert api.sweep([], 1, 1, 1, 1).case.size == 0
 
 
 def test_errors_come_before_any_work(monkeypatch):
@@ -198,7 +200,7 @@ def test_errors_come_before_any_work(monkeypatch):
     def solver(*rod):
         raise AssertionError(rod)
 
-    monkeypatch.setattr(api, "all_equilibria", solver)
+    monkeypatch.setattr(blocks, "all_equilibria", solver)
     with pytest.raises(AssertionError):
         api.sweep(*GOOD)
     with pytest.raises(ValueError, match=r"^eta\[2\]"):

@@ -24,9 +24,12 @@ _OPERATIONS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.Div: operator.truediv,
     ast.Pow: operator.pow,
 }
-# Functions that give back their last argument when it is a constant within its domain: real(name, value) and the like.
+# Functions that give back their last argument when it is a constant within its domain: real(name, value) and the like,
+# and what takes a part of an array, or asks whether any element holds, where all are one and the same.
 _CHECKS = ("real", "not_negative", "positive")
-_IDENTITIES = ("float", "mpf", *_CHECKS, *(f"all_{check}" for check in _CHECKS))
+_IDENTITIES = ("float", "mpf", "slab", "element", "any_of", "any", *_CHECKS, *(f"all_{check}" for check in _CHECKS))
+_CHOICES = ("where", "pick", "each_pick")  # functions that give their second or third argument, by the first
+_TRUTHS = (S.true, S.false)
 _SCALINGS = ("ldexp",)  # functions that give back 0 for 0
 # Functions that fold when their result is rational.
 _FUNCTIONS: dict[str, Callable[[Any], Any]] = {
@@ -63,7 +66,7 @@ class _Folder(ast.NodeTransformer):
     def visit_UnaryOp(self, node: ast.UnaryOp) -> ast.expr:
         self.generic_visit(node)
         if isinstance(node.operand, Exact):
-            if isinstance(node.op, ast.Not):
+            if isinstance(node.op, ast.Not) or (isinstance(node.op, ast.Invert) and node.operand.value in _TRUTHS):
                 return exact(sympy.Not(truth(node.operand)), node)
             if isinstance(node.op, (ast.USub, ast.UAdd)):
                 return exact(-node.operand.value if isinstance(node.op, ast.USub) else node.operand.value, node)
@@ -91,6 +94,8 @@ class _Folder(ast.NodeTransformer):
         name = node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")
         if name in self.calls and isinstance(node.func, ast.Name):
             return exact(self.calls[name], node)
+        if name in _CHOICES and len(node.args) == 3 and isinstance(node.args[0], Exact):
+            return node.args[1] if truth(node.args[0]) else node.args[2]
         if name in _SCALINGS and node.args and isinstance(node.args[0], Exact) and node.args[0].value == 0:
             return exact(0, node)
         if node.args and isinstance(node.args[-1], Exact) and not node.keywords:
@@ -174,9 +179,17 @@ def _looks(node: ast.expr) -> bool:
 
 
 def _identity(node: ast.BinOp, a: Any, b: Any) -> ast.expr:
-    """0 + x, x − 0, 0·x, 1·x, x/1, 0/x, x**1."""
+    """0 + x, x − 0, 0·x, 1·x, x/1, 0/x, x**1; true and x, false or x, of masks as well."""
     zero, one = Integer(0), Integer(1)
     match node.op:
+        case ast.BitAnd() if S.false in (a, b):
+            return exact(False, node)
+        case ast.BitOr() if S.true in (a, b):
+            return exact(True, node)
+        case ast.BitAnd() if S.true in (a, b):
+            return node.right if a == S.true else node.left
+        case ast.BitOr() if S.false in (a, b):
+            return node.right if a == S.false else node.left
         case ast.Add():
             return node.right if a == zero else node.left if b == zero else node
         case ast.Sub() if b == zero:

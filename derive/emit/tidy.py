@@ -9,8 +9,10 @@ from typing import Any
 
 import sympy
 
+from derive.emit.backends import MODULE_ALIASES
 from derive.emit.values import Exact
 
+_MODULES = frozenset(MODULE_ALIASES.values())
 _ENDS = (ast.Return, ast.Raise, ast.Continue, ast.Break)
 
 
@@ -151,4 +153,12 @@ class _Sweeper(ast.NodeTransformer):
     def _free(self, value: ast.expr) -> bool:
         """Whether leaving ``value`` out changes nothing else: it calls pure functions only."""
         calls = [n for n in ast.walk(value) if isinstance(n, (ast.Call, ast.NamedExpr, ast.Yield, ast.Await))]
-        return all(isinstance(n, ast.Call) and isinstance(n.func, ast.Name) and n.func.id in self.pure for n in calls)
+        return all(isinstance(n, ast.Call) and (_of_module(n.func) or self._is_pure(n.func)) for n in calls)
+
+    def _is_pure(self, func: ast.expr) -> bool:
+        return isinstance(func, ast.Name) and func.id in self.pure
+
+
+def _of_module(func: ast.expr) -> bool:
+    """Whether a function is one of NumPy's, which kernels use to compute only."""
+    return isinstance(func, ast.Attribute) and isinstance(func.value, ast.Name) and func.value.id in _MODULES

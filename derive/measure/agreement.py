@@ -17,7 +17,7 @@ from typing import Any
 from mpmath import mp, mpf
 
 from derive.measure.reference import DIGITS, FRACTIONS, Reference, Rod
-from derive.measure.sweeps import sweep_faults
+from derive.measure.sweeps import sweep_faults, swept_alone
 
 DOUBLE = 2.0**-53
 # Digits at which the mpmath twins are run; the references have 40.
@@ -69,20 +69,33 @@ class Agreement:
 
 def agreement(module: ModuleType, references: Iterable[tuple[Rod, list[Reference]]], unit: float = DOUBLE) -> Agreement:
     """The worst errors of a module over some rods and all their equilibria; unit is the module's rounding."""
-    result, given, found = Agreement(), [], []
+    result, given, found, rounding = Agreement(), [], [], []
     for rod, known in references if hasattr(module, "equilibria") or not hasattr(module, "folds") else ():
         try:
             with mp.workdps(TWIN_DIGITS):  # also where the scene makes no output of equilibria, and it takes no dps
-                equilibria = module.equilibria(**arguments(module.equilibria, rod))
+                equilibria = solutions(module, rod)
             enter(result, module, equilibria, known, unit)
         except Exception as error:  # whatever a module raises on a valid rod is its fault
             result.faults.append(f"it fails with {type(error).__name__}: {error} at {rod}")
         else:
             given.append(rod)
             found.append(equilibria)
-    if hasattr(module, "sweep") and given:
-        result.faults += sweep_faults(module, [arguments(module.sweep, rod) for rod in given], found)
+            rounding.append([roundings_of(one, unit) for one in known])
+    if hasattr(module, "sweep") and given and not result.faults:
+        result.faults += sweep_faults(module, [arguments(module.sweep, rod) for rod in given], found, rounding)
     return result
+
+
+def solutions(module: ModuleType, rod: Rod) -> list[Any]:
+    """The equilibria that a module gives for one rod."""
+    if hasattr(module, "equilibria"):
+        return list(module.equilibria(**arguments(module.equilibria, rod)))
+    return swept_alone(module, arguments(module.sweep, rod))
+
+
+def roundings_of(reference: Reference, unit: float) -> dict[str, float]:
+    """What one rounding of the inputs and of the result makes of each quantity."""
+    return {name: unit * (natural_size(name, reference.rod) + reference.sensitivity[name]) for name in QUANTITIES}
 
 
 def enter(result: Agreement, module: ModuleType, found: list[Any], known: list[Reference], unit: float) -> None:

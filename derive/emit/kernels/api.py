@@ -5,10 +5,19 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
-from derive.emit.kernels.arguments import all_real, index_limit, many_rods, not_negative, positive, refuse
+from derive.emit.kernels.arguments import (
+    Given,
+    all_not_negative,
+    all_positive,
+    all_real,
+    common_shape,
+    index_limit,
+    not_negative,
+    positive,
+    refuse,
+)
 from derive.emit.kernels.arithmetic import real
+from derive.emit.kernels.blocks import sweep_arrays
 from derive.emit.kernels.dense import shape_at
 from derive.emit.kernels.equilibria import Equilibrium, all_equilibria, length_of
 from derive.emit.kernels.exchanges import Exchange, all_exchanges
@@ -96,18 +105,19 @@ def sweep(beta, eta, length, clamp_angle, field_angle, *, max_index=None) -> Swe
 
     Raises TypeError or ValueError, naming the argument and the flat index of a bad value, before any work.
     """
-    given, limit = many_rods(beta, eta, length, clamp_angle, field_angle), index_limit(max_index)
-    rods = list(zip(*(part.tolist() for part in given), strict=True))
-    found = [(case, item) for case, rod in enumerate(rods) for item in equilibria(*rod, max_index=limit)]
+    beta, eta, length = all_not_negative("beta", beta), all_not_negative("eta", eta), all_positive("length", length)
+    clamp_angle, field_angle = all_real("clamp_angle", clamp_angle), all_real("field_angle", field_angle)
+    grid, limit = common_shape(Given(beta, eta, length, clamp_angle, field_angle)), index_limit(max_index)
+    found = sweep_arrays(beta, eta, length, clamp_angle, field_angle, grid, limit)
     return Sweep(
-        np.array([case for case, _ in found], dtype=int),
-        np.array([item.tip_angle for _, item in found], dtype=float),
-        np.array([item.clamp_curvature for _, item in found], dtype=float),
-        np.array([item.gamma for _, item in found], dtype=float),
-        np.array([item.y for _, item in found], dtype=float),
-        np.array([item.z for _, item in found], dtype=float),
-        np.array([item.energy for _, item in found], dtype=float),
-        np.array([item.index for _, item in found], dtype=int),
+        found.case,
+        found.tip_angle,
+        found.clamp_curvature,
+        found.gamma,
+        found.y,
+        found.z,
+        found.energy,
+        found.index,
     )
 
 

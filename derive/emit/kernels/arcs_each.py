@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/arcs.py: do not edit, change that file.
 
-Digest of the inputs: sha256 35a872d8a26f88ef89f3bfb682fb10fdb74b404374ab0b99aaed8cf923877ff2
+Digest of the inputs: sha256 e838e4325f1c22da12cdeb5be2b15321e56522046e5329513043983c844b640f
 """
 
 from __future__ import annotations
@@ -12,15 +12,15 @@ from typing import NamedTuple
 from derive.emit.kernels.arithmetic import epsilon
 from derive.emit.kernels.array_arithmetic import (
     any_of,
-    arctan_share,
-    complex_of,
     complex_sqrt,
     each_abs,
+    each_arctan_share,
+    each_complex_of,
     each_cos,
+    each_pick,
     each_sin,
     each_sqrt,
     larger,
-    pick,
 )
 from derive.emit.kernels.formulas_each import (
     arc_kink_each,
@@ -107,9 +107,9 @@ def arc_to_each(beta, eta, field_angle, motion, point, square, rest, extent):
 def shift_each(eta, double_sine, double_cosine, motion, point, root, square, rest):
     """W as real and imaginary part: ∫e^{iθ} from the tip is e^{iφ}(σ + W)."""
     b, near, far = point.strength, each_sqrt(motion.near), each_sqrt(motion.far)
-    twist = complex_of(rj_delta_real_each(eta, b, double_cosine), rj_delta_imag_each(eta, b, double_sine))
+    twist = each_complex_of(rj_delta_real_each(eta, b, double_cosine), rj_delta_imag_each(eta, b, double_sine))
     lift = pair_lift_each(near, far, motion.uneven, motion.half_cosine, square, rest)
-    pole, lifted, less = complex_of(point.pole, -b), complex_of(lift, -b), complex_of(root, -b)
+    pole, lifted, less = each_complex_of(point.pole, -b), each_complex_of(lift, -b), each_complex_of(root, -b)
     third = rj_pair_each(point.one, point.product, point.root_sum, pole, lifted, less, twist)
     return w_real_each(b, third.imag), w_imag_each(b, third.real)
 
@@ -122,7 +122,7 @@ def kink_at_each(first, second, point, root, q, m, square, rest):
     others = others_sum_each(q, root)
     gap = pole_gap_each(x, each_abs(x), others, others_product_each(b, m, root, others), product)
     far = arc_kink_each(square, delta, across, b, x, near_root, product)
-    return pick(x > 1, arc_kink_tip_each(first, second, delta, across, b, x, near_root, gap), far)
+    return each_pick(x > 1, arc_kink_tip_each(first, second, delta, across, b, x, near_root, gap), far)
 
 
 def rj_pair_each(x, product, root_sum, p, lift, less, twist):
@@ -143,10 +143,10 @@ def rj_pair_each(x, product, root_sum, p, lift, less, twist):
         side, across = root_p * root_sum, root * root_sum
         plus, minus = lift + side, lift - side
         cancels = (each_abs(plus) < each_abs(minus)) & (scale == 1)
-        d = (root_p + root) * pick(cancels, twist / (less * pick(cancels, minus, 1)), plus)
+        d = (root_p + root) * each_pick(cancels, twist / (less * each_pick(cancels, minus, 1)), plus)
         raised, lifted = (lift + across, each_sqrt(x + product + across))
         end = 2 * root_p * raised / d
-        total = total + arctan_share(twist / (scale * scale * scale * d * d), end) / (scale * d)
+        total = total + each_arctan_share(twist / (scale * scale * scale * d * d), end) / (scale * d)
         pair = root_sum * (root_sum + 2 * root) / 4
         x, p = (x + product + across) / 4, raised / 4
         product, root_sum = root_sum * lifted / 4, each_sqrt(root_sum * (root_sum + 2 * root + 2 * lifted)) / 2

@@ -11,7 +11,7 @@ from derive.emit.kernels.arithmetic import real
 
 
 class Given(NamedTuple):
-    """The parameters of many rods, as arrays of one length."""
+    """The parameters of many rods: numbers or arrays."""
 
     beta: Any
     eta: Any
@@ -20,24 +20,13 @@ class Given(NamedTuple):
     field_angle: Any
 
 
-def many_rods(beta, eta, length, clamp_angle, field_angle):
-    """The parameters of many rods as flat arrays, broadcast against one another.
-
-    TypeError or ValueError names the first argument that cannot be, and the flat index of its first bad value.
-    """
-    given = Given(
-        all_not_negative("beta", beta),
-        all_not_negative("eta", eta),
-        all_positive("length", length),
-        all_real("clamp_angle", clamp_angle),
-        all_real("field_angle", field_angle),
-    )
+def common_shape(given):
+    """The shape to which all parameters broadcast; ValueError if there is none."""
     try:
-        parts = [part.ravel() for part in np.broadcast_arrays(*given)]
+        return np.broadcast_shapes(*(part.shape for part in given))
     except ValueError:
-        shapes = ", ".join(f"{name} {np.shape(part)}" for name, part in zip(given._fields, given, strict=True))
+        shapes = ", ".join(f"{name} {part.shape}" for name, part in zip(given._fields, given, strict=True))
         raise ValueError(f"the arguments do not broadcast against one another: their shapes are {shapes}") from None
-    return Given(*parts)
 
 
 def index_limit(max_index):

@@ -30,58 +30,58 @@ from numpy import where as each_where
 
 __all__ = [
     "any_of",
-    "arctan_share",
-    "complex_of",
     "complex_sqrt",
     "each_abs",
     "each_acos",
     "each_acosh",
+    "each_arctan_share",
     "each_asin",
     "each_asinh",
     "each_atan",
     "each_atan2",
+    "each_complex_of",
     "each_cos",
     "each_exp",
     "each_floor",
     "each_hypot",
     "each_imag",
+    "each_less_quarters",
     "each_log",
     "each_max",
     "each_min",
+    "each_pick",
     "each_real",
     "each_sin",
+    "each_spacing",
     "each_sqrt",
     "each_where",
     "larger",
     "largest",
-    "less_quarters",
-    "pick",
-    "spacing",
 ]
 
 
-def spacing(x):
-    """The spacing of numbers just above 1, in the precision of the array."""
+def each_spacing(x):
+    """The each_spacing of numbers just above 1, in the precision of the array."""
     return float(finfo(x.dtype).eps)
 
 
-def less_quarters(angle, quarters):
+def each_less_quarters(angle, quarters):
     """angle − quarters·π/2, with π/2 in two parts of which the first has 33 bits, so that nothing is lost."""
     return (angle - quarters * 1.5707963267341256) - quarters * 6.077100506506192e-11
 
 
-def pick(condition, yes, no):
+def each_pick(condition, yes, no):
     """``yes`` where the condition holds, else ``no``; whole numbers take the precision of what they meet."""
     chosen = each_where(condition, yes, no)
     return chosen.astype(float32) if chosen.dtype.kind in "ib" else chosen
 
 
-def complex_of(real, imaginary):
+def each_complex_of(real, imaginary):
     """The complex numbers of real and imaginary parts."""
     return real + 1j * imaginary
 
 
-def arctan_share(z, end):
+def each_arctan_share(z, end):
     """R_C(1, end) for complex end = 1 + z: arctan(√z)/√z, by its series where z is small (DLMF 19.2.18)."""
     share = 1 - z * (1 / 3 - z * (1 / 5 - z * (1 / 7 - z * (1 / 9 - z / 11))))
     far = each_abs(z) >= 1e-3

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from numpy import concatenate, flatnonzero, unique, zeros
+from numpy import abs, concatenate, flatnonzero, full, where, zeros
 
 from derive.emit.kernels.arithmetic import epsilon, pi
+from derive.emit.kernels.array_arithmetic import any_of
 from derive.emit.kernels.block_records import rows
 from derive.emit.kernels.landscape_each import (
-    RestEach,
     astroid_cusp_each,
     has_second_pair_each,
     mirror_landscape_each,
@@ -36,10 +36,7 @@ from derive.emit.kernels.pieces_each import (
 
 
 class Rods(NamedTuple):
-    """Rods in their own units of length: see ``equilibria.Rod``. case: their number in the block; slow: ℓ√(β + η).
-
-    field_angle: an array, or the number that all share.
-    """
+    """Rods in their own units of length: see ``equilibria.Rod``. case: their number in the block; slow: ℓ√(β + η)."""
 
     case: Any
     beta: Any
@@ -67,14 +64,14 @@ class Straight(NamedTuple):
 
 def groups(rods):
     """The ranges of tips below the clamp angle, the straight rods, and the cases that are left to the scalar solver."""
-    found, straight, doubtful = [], [], []
+    found, straight, doubtful = [], [], [zeros(0, dtype=int)]
     for some, scene in landscapes(rods):
         clamp = clamp_in_each(scene.rests, some.clamp_angle)
         for rest, offset in zip(scene.rests, clamp.offsets, strict=True):
             flat = flatnonzero(offset == 0)
             if flat.size:
                 straight.append(Straight(rows(some, flat), rows(rest, flat)))
-        ground, low = ground_of_each(some, scene, clamp)
+        ground, low = ground_of_kind(some, scene, clamp)
         doubtful.append(some.case[low])
         for here, build in ranges_each(ground):
             which = flatnonzero(here & ~low)
@@ -84,7 +81,7 @@ def groups(rods):
                 doubtful.append(group.rods.case[dips])
                 if not dips.all():
                     found.append(rows(group, ~dips))
-    return found, straight, concatenate([zeros(0, dtype=int), *doubtful])
+    return found, straight, concatenate(doubtful)
 
 
 def nearly_ridge(rods, piece):
@@ -95,7 +92,7 @@ def nearly_ridge(rods, piece):
     beta, eta, angle = rods.beta, rods.eta, abs(rods.field_angle)
     side = astroid_cusp_each(angle)
     missing = -ridge_couple_each(beta, eta, angle, side) / (beta + eta)
-    cusp = angle + pi + side if rods.field_angle > 0 else pi - angle - side
+    cusp = where(rods.field_angle > 0, angle + pi + side, pi - angle - side)
     down = basin.well.angle - basin.hill.angle
     rise = reach_each(eta, basin.hill, fall_each(eta, basin.hill, 0, cusp - basin.hill.angle), down, 1)
     return (missing <= 0.3) & (rise > 0) & (rise < piece.width)
@@ -104,45 +101,68 @@ def nearly_ridge(rods, piece):
 def landscapes(rods):
     """The rods in groups with landscapes of one kind, and those."""
     beta, eta, angle = rods.beta, rods.eta, rods.field_angle
-    free, strong, alone = eta == 0, eta > beta, beta == 0
+    free, strong = eta == 0, eta > beta
     along, across = ~free & (angle == 0), ~free & (angle == pi / 2)
-    yield from built(rods, free, 0.0, lambda some: no_field_each(some.beta))
-    yield from built(rods, along & alone, 0.0, lambda some: parallel_alone_each(some.eta))
-    yield from built(rods, along & strong & ~alone, 0.0, lambda some: parallel_double_each(some.beta, some.eta))
-    yield from built(rods, along & ~strong, 0.0, lambda some: parallel_single_each(some.beta, some.eta))
-    yield from built(rods, across & strong, pi / 2, lambda some: orthogonal_double_each(some.beta, some.eta))
-    yield from built(rods, across & ~strong, pi / 2, lambda some: orthogonal_single_each(some.beta, some.eta))
-    for side, inclined in ((1, angle > 0), (-1, angle < 0)):
-        inclined = inclined & ~free & ~across
-        pair = inclined & ~alone
-        pair[pair] = has_second_pair_each(beta[pair], eta[pair], side * angle[pair])
-        yield from oblique(rods, inclined & alone, side, lambda beta, eta, angle: oblique_alone_each(eta, angle))
-        yield from oblique(rods, pair, side, oblique_double_each)
-        yield from oblique(rods, inclined & ~alone & ~pair, side, oblique_single_each)
+    if any_of(free):
+        bare = chosen(rods, free)
+        yield bare, no_field_each(bare.beta)
+    if any_of(along):
+        yield from along_force(chosen(rods, along))
+    if any_of(across & strong):
+        double = chosen(rods, across & strong)
+        yield double, orthogonal_double_each(double.beta, double.eta)
+    if any_of(across & ~strong):
+        single = chosen(rods, across & ~strong)
+        yield single, orthogonal_single_each(single.beta, single.eta)
+    left, right = ~free & (angle > 0) & (angle < pi / 2), ~free & (angle < 0)
+    if any_of(left):
+        yield from inclined(chosen(rods, left), 1)
+    if any_of(right):
+        yield from inclined(chosen(rods, right), -1)
 
 
-def built(rods, mask, field_angle, build):
-    """Some of the rods, with the field angle that they share, and their landscape."""
-    if mask.any():
-        some = rows(rods, flatnonzero(mask))._replace(field_angle=field_angle)
-        yield some, build(some)
+def along_force(rods):
+    """``landscapes`` of rods with the field along the force."""
+    strong, alone = rods.eta > rods.beta, rods.beta == 0
+    if any_of(alone):
+        field = chosen(rods, alone)
+        yield field, parallel_alone_each(field.eta)
+    if any_of(strong & ~alone):
+        double = chosen(rods, strong & ~alone)
+        yield double, parallel_double_each(double.beta, double.eta)
+    if any_of(~strong & ~alone):
+        single = chosen(rods, ~strong & ~alone)
+        yield single, parallel_single_each(single.beta, single.eta)
 
 
-def oblique(rods, mask, side, build):
-    """Some of the rods, and their landscape, built for positive field angles; a group for each field angle, which
-    decides between formulas and so must be one number."""
-    if not mask.any():
-        return
-    some = rows(rods, flatnonzero(mask))
-    scene = build(some.beta, some.eta, side * some.field_angle)
-    scene = scene if side > 0 else mirror_landscape_each(scene)
-    angles, which = unique(some.field_angle, return_inverse=True)
-    for number, angle in enumerate(angles.tolist()):
-        here = flatnonzero(which == number)
-        yield rows(some, here)._replace(field_angle=angle), rows(scene, here)
+def inclined(rods, side):
+    """``landscapes`` of rods with field angles between the force and a quarter turn to one side."""
+    alone = rods.beta == 0
+    if any_of(alone):
+        field = chosen(rods, alone)
+        yield field, facing(oblique_alone_each(field.eta, side * field.field_angle), side)
+    if any_of(~alone):
+        both = chosen(rods, ~alone)
+        pair = has_second_pair_each(both.beta, both.eta, side * both.field_angle)
+        if any_of(pair):
+            double = chosen(both, pair)
+            yield double, facing(oblique_double_each(double.beta, double.eta, side * double.field_angle), side)
+        if any_of(~pair):
+            single = chosen(both, ~pair)
+            yield single, facing(oblique_single_each(single.beta, single.eta, side * single.field_angle), side)
 
 
-def ground_of_each(rods, scene, clamp):
+def facing(scene, side):
+    """The landscape, or its mirror image for side −1."""
+    return scene if side > 0 else mirror_landscape_each(scene)
+
+
+def chosen(rods, mask):
+    """Some of the rods, by a mask, or by one truth value for all of them."""
+    return rows(rods, flatnonzero(full(rods.case.shape, mask)))
+
+
+def ground_of_kind(rods, scene, clamp):
     """The ground of rods with one kind of landscape, and where a ridge is too near the hill's level to be told."""
     rests = scene.rests
     level = scene._replace(rests=numbered(rests))
@@ -156,4 +176,4 @@ def ground_of_each(rods, scene, clamp):
 def numbered(rests):
     """The directions with a number for the rest of their angle: only whether two are alike is asked from here on."""
     last = len(rests) - 1
-    return tuple(RestEach(rest.quarters, k % last, *rest[2:]) for k, rest in enumerate(rests))
+    return tuple(rest._replace(extra=k % last) for k, rest in enumerate(rests))

@@ -2,7 +2,17 @@
 
 from __future__ import annotations
 
-from numpy import ndarray
+from numpy import broadcast_to, concatenate, ndarray
+
+
+def slab(grid, which, values):
+    """Some of a parameter's values, by a slice of their flat numbers in the grid; what is folded stays as it is."""
+    return broadcast_to(values, grid).flat[which]
+
+
+def element(case, values):
+    """A parameter of one rod as a number; what is folded stays as it is."""
+    return float(values[case])
 
 
 def each_array(record, change):
@@ -30,3 +40,14 @@ def rounded_to(record, kind):
         parts = [rounded_to(part, kind) for part in record]
         return type(record)(*parts) if hasattr(record, "_fields") else tuple(parts)
     return record
+
+
+def joined(records):
+    """Records of arrays, one after another; what all rods share is taken from the first."""
+    first = records[0]
+    if isinstance(first, ndarray):
+        return concatenate(records)
+    if isinstance(first, tuple):
+        parts = [joined(list(column)) for column in zip(*records, strict=True)]
+        return type(first)(*parts) if hasattr(first, "_fields") else tuple(parts)
+    return first

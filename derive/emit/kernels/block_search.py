@@ -33,7 +33,7 @@ from numpy import (
 
 from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import each_atan2, each_sqrt
-from derive.emit.kernels.block_records import rounded_to, rows
+from derive.emit.kernels.block_records import joined, rounded_to, rows
 from derive.emit.kernels.motion_each import motion_at_each
 from derive.emit.kernels.pieces_each import slope_each
 from derive.emit.kernels.swing_each import lengths_each, phase_of_each
@@ -145,7 +145,7 @@ def bracketed(group, kind, most):
             found, doubt = crossed(some, sign, places, swings, arrivals, deep, most)
             parts.append(found._replace(range=found.range + start))
             doubts.append(doubt + start)
-    return Brackets(*(concatenate(column) for column in zip(*parts, strict=True))), concatenate(doubts)
+    return joined(parts), concatenate(doubts)
 
 
 def crossed(group, sign, places, swings, arrivals, capped, most):
@@ -171,7 +171,7 @@ def crossed(group, sign, places, swings, arrivals, capped, most):
     row, which = repeat(row, number), repeat(which, number)
     found = Brackets(which, turns, full(which.shape, sign), places[row, which], places[row + 1, which])
     beside, hard = extrema(group, sign, places, counts)
-    found = Brackets(*(concatenate(pair) for pair in zip(found, beside, strict=True)))
+    found = joined([found, beside])
     wanted = (found.turns > 0) | (sign > 0)
     wanted &= 2 * found.turns - (sign < 0) <= most
     return rows(found, wanted), concatenate([flatnonzero(doubt), hard])
@@ -211,13 +211,13 @@ def extrema(group, sign, places, counts):
     changes = ((short[1:] < 0) != (short[:-1] < 0)).sum(axis=0)
     beyond = (least < -margin) & (changes == 2) & (best == inner)
     hard = ~beyond & (2 * least <= beside + margin)
-    pick = flatnonzero(beyond)
-    found = Brackets(which[pick], goal[pick], full(pick.shape, sign), left[pick], finer[best[pick], pick])
-    other = found._replace(left=found.right, right=right[pick])
-    return Brackets(*(concatenate(pair) for pair in zip(found, other, strict=True))), which[hard]
+    sure = flatnonzero(beyond)
+    found = Brackets(which[sure], goal[sure], full(sure.shape, sign), left[sure], finer[best[sure], sure])
+    other = found._replace(left=found.right, right=right[sure])
+    return joined([found, other]), which[hard]
 
 
-def excess(swing, arrival, brackets, length):
+def surplus(swing, arrival, brackets, length):
     """The length of a branch less the rod's."""
     return 2 * brackets.turns * swing + brackets.sign * arrival - length
 
@@ -229,7 +229,8 @@ def approached(group, brackets):
     length = group.rods.length
 
     def function(place):
-        return excess(*rough_times(group.rods, group.piece, place), brackets, length)
+        swing, arrival = rough_times(group.rods, group.piece, place)
+        return surplus(swing, arrival, brackets, length)
 
     a, b = brackets.left, brackets.right
     value_a, value_b = function(a), function(b)
@@ -246,14 +247,14 @@ def approached(group, brackets):
         c, value_c = where(same, a, b), where(same, value_a, value_b)
         b, value_b = where(same, b, a), where(same, value_b, value_a)
         a, value_a = trial, value
-        fraction = interpolated(a, b, c, value_a, value_b, value_c)
+        fraction = inverse_quadratic(a, b, c, value_a, value_b, value_c)
     place = where(abs(value_a) < abs(value_b), a, b)
     # Points nearer than this would tell the slope by their rounding.
     slope = (function(place + SPREAD) - function(place - SPREAD)) / (2 * SPREAD)
     return place, slope, good, rising
 
 
-def interpolated(a, b, c, value_a, value_b, value_c):
+def inverse_quadratic(a, b, c, value_a, value_b, value_c):
     """Where on the way from a to b inverse quadratic interpolation puts the zero, or half way where it is unsafe."""
     x, y = (a - b) / (c - b), (value_a - value_b) / (value_c - value_b)
     share = value_a / (value_b - value_a) * value_c / (value_b - value_c)
@@ -276,7 +277,7 @@ def polished(group, brackets, kind):
         motion = motion_at_each(here.rods.beta, here.rods.eta, here.rods.field_angle, here.piece, place[todo])
         phase = phase_of_each(motion)
         swing, arrival = lengths_each(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
-        now = excess(swing, arrival, rows(brackets, todo), length[todo])
+        now = surplus(swing, arrival, rows(brackets, todo), length[todo])
         if turn:
             change = place[todo] - before[todo]
             slope[todo] = where(change == 0, slope[todo], (now - value[todo]) / where(change == 0, 1, change))
@@ -284,8 +285,8 @@ def polished(group, brackets, kind):
         close = abs(step) <= 4 * epsilon() * (1 + abs(place[todo]))
         close |= abs(now) <= 4 * epsilon() * length[todo]
         done = todo[close]
-        record = brackets.range[done], brackets.turns[done], brackets.sign[done], rising[done]
-        parts.append(Found(*record, *rows((motion, phase, swing, arrival), close)))
+        here, state = rows(brackets, done), rows((motion, phase, swing, arrival), close)
+        parts.append(Found(here.range, here.turns, here.sign, rising[done], state[0], state[1], state[2], state[3]))
         value[todo], before[todo] = now, place[todo]
         place[todo] -= step
         todo = todo[~close & (place[todo] >= least[todo]) & (place[todo] <= most[todo])]
@@ -298,12 +299,3 @@ def lost_ranges(brackets, parts):
     """The ranges of which not every crossing has been found."""
     wanted = bincount(brackets.range)
     return flatnonzero(wanted != bincount(concatenate([part.range for part in parts]), minlength=wanted.size))
-
-
-def joined(records):
-    """Records of arrays, one after another."""
-    first = records[0]
-    if not isinstance(first, tuple):
-        return concatenate(records) if hasattr(first, "dtype") else first
-    parts = [joined(list(column)) for column in zip(*records, strict=True)]
-    return type(first)(*parts) if hasattr(first, "_fields") else tuple(parts)

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/landscape.py: do not edit, change that file.
 
-Digest of the inputs: sha256 41c4ae49110056fffee50f48a9e29c3e8eca2b8a482019dbbc793df8e5db7e98
+Digest of the inputs: sha256 5e334d026e70f3f7a9ca99619defa6db2fcf0993df2f1e659082327f6ad51627
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ from derive.emit.kernels.array_arithmetic import (
     each_atan,
     each_atan2,
     each_cos,
+    each_less_quarters,
+    each_pick,
     each_sin,
     each_sqrt,
     larger,
-    less_quarters,
-    pick,
 )
 
 
@@ -215,16 +215,16 @@ def rising_root_each(function, low, high):
         value = function(middle)
         size = each_sqrt(larger(value * value - value_low * value_high, 0))
         exact = (value == 0) | (size == 0)
-        trial = pick(exact, middle, middle + (middle - low) * (-value / pick(exact, 1, size)))
+        trial = each_pick(exact, middle, middle + (middle - low) * (-value / each_pick(exact, 1, size)))
         value_trial = function(trial)
-        last = pick(moving, trial, last)
+        last = each_pick(moving, trial, last)
         above = value > 0
-        high, value_high = pick(above, middle, high), pick(above, value, value_high)
-        low, value_low = pick(above, low, middle), pick(above, value_low, value)
+        high, value_high = each_pick(above, middle, high), each_pick(above, value, value_high)
+        low, value_low = each_pick(above, low, middle), each_pick(above, value_low, value)
         inside = each_abs(trial - low) < each_abs(high - low), each_abs(high - trial) < each_abs(high - low)
         rises, falls = (value_trial > 0) & inside[0], (value_trial < 0) & inside[1]
-        high, value_high = pick(rises, trial, high), pick(rises, value_trial, value_high)
-        low, value_low = pick(falls, trial, low), pick(falls, value_trial, value_low)
+        high, value_high = each_pick(rises, trial, high), each_pick(rises, value_trial, value_high)
+        low, value_low = each_pick(falls, trial, low), each_pick(falls, value_trial, value_low)
         moving = moving & (each_abs(high - low) > 2 * epsilon() * each_abs(trial)) & (value_trial != 0) & (exact == 0)
         if not any_of(moving):
             break
@@ -233,6 +233,6 @@ def rising_root_each(function, low, high):
 
 def offset_from_each(rest, angle, turns):
     """angle − (rest + turns·2π), without cancellation; 0 where no angle within rounding of this tells them apart."""
-    offset = less_quarters(angle, 4 * turns + rest.quarters) - rest.extra
+    offset = each_less_quarters(angle, 4 * turns + rest.quarters) - rest.extra
     blur = epsilon() * (each_abs(angle) + each_abs(rest.extra))
-    return pick((each_abs(offset) <= blur) | (each_abs(offset) < epsilon() ** 9), 0, offset)
+    return each_pick((each_abs(offset) <= blur) | (each_abs(offset) < epsilon() ** 9), 0, offset)

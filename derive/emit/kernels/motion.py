@@ -4,7 +4,21 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import asin, atan2, cos, epsilon, exp, floor, larger, pi, pick, sin, spacing, sqrt
+from derive.emit.kernels.arithmetic import (
+    any_of,
+    asin,
+    atan2,
+    cos,
+    epsilon,
+    exp,
+    floor,
+    larger,
+    pi,
+    pick,
+    sin,
+    spacing,
+    sqrt,
+)
 from derive.emit.kernels.pieces import Piece, fall, onward, reach, slope
 from derive.emit.kernels.potential import fall_from_rest, moment_from_rest
 
@@ -53,7 +67,7 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
         half_width = depth + (basin.axis.angle - well.angle)
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
         far_moment, far_distance = near_moment, from_hill
-    elif field_angle == 0 and not basin.passes:
+    elif any_of(field_angle == 0) and not basin.passes:
         half_width, left, far_moment, far_distance = parallel_side(beta, eta, piece, rise, drop, from_hill, depth)
     else:
         half_width, left, far_moment, far_distance = far_side(eta, piece, rise, drop, depth, done)

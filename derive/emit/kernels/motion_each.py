@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 ce4e5ae650531d034ae68277543f5cc5527a3ded90250e7d7ccbaff4434fc8c0
+Digest of the inputs: sha256 c65d5aa10cdf837214e4f218f52fd59efbce157a4177a7bca74e31b52376d64d
 """
 
 from __future__ import annotations
@@ -11,17 +11,18 @@ from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import (
+    any_of,
     each_abs,
     each_asin,
     each_atan2,
     each_cos,
     each_exp,
     each_floor,
+    each_pick,
     each_sin,
+    each_spacing,
     each_sqrt,
     larger,
-    pick,
-    spacing,
 )
 from derive.emit.kernels.pieces_each import PieceEach, fall_each, onward_each, reach_each, slope_each
 from derive.emit.kernels.potential_each import fall_from_rest_each, moment_from_rest_each
@@ -57,11 +58,11 @@ def motion_at_each(beta, eta, field_angle, piece: PieceEach, place):
     from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
     upper = from_hill < depth
     hill, well = basin.hill, basin.well
-    offset = pick(upper, from_hill, -depth)
-    stiffness = pick(upper, hill.stiffness, well.stiffness)
-    double_cosine = pick(upper, hill.double_cosine, well.double_cosine)
-    double_sine = pick(upper, hill.double_sine, well.double_sine)
-    tip = pick(upper, hill.angle, well.angle) + offset
+    offset = each_pick(upper, from_hill, -depth)
+    stiffness = each_pick(upper, hill.stiffness, well.stiffness)
+    double_cosine = each_pick(upper, hill.double_cosine, well.double_cosine)
+    double_sine = each_pick(upper, hill.double_sine, well.double_sine)
+    tip = each_pick(upper, hill.angle, well.angle) + offset
     near_moment = moment_from_rest_each(eta, stiffness, double_cosine, double_sine, offset)
     # How far V falls from the tip to the well, or to the level of a ridge that the motion passes.
     change = (drop + piece.level_gap if basin.passes else depth) / 2
@@ -71,7 +72,7 @@ def motion_at_each(beta, eta, field_angle, piece: PieceEach, place):
         half_width = depth + (basin.axis.angle - well.angle)
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
         far_moment, far_distance = near_moment, from_hill
-    elif field_angle == 0 and not basin.passes:
+    elif any_of(field_angle == 0) and not basin.passes:
         half_width, left, far_moment, far_distance = parallel_side_each(beta, eta, piece, rise, drop, from_hill, depth)
     else:
         half_width, left, far_moment, far_distance = far_side_each(eta, piece, rise, drop, depth, done)
@@ -80,12 +81,12 @@ def motion_at_each(beta, eta, field_angle, piece: PieceEach, place):
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
     whole_turn = basin.far.quarters - hill.quarters == 4 and basin.far.extra == hill.extra
     lack = (from_hill + far_distance) / 2 if whole_turn else pi - half_width
-    sine = each_sin(pick(lack < half_width, lack, half_width))
+    sine = each_sin(each_pick(lack < half_width, lack, half_width))
     near, far = 2 * near_moment / sine, 2 * far_moment / sine
     uneven = 0 if basin.even else unevenness_each(eta, field_angle, tip + half_width, sine, near, far)
     # done/2 + left/2 = half_width: near half a turn one follows from the other.
-    done_sine = each_sin(pick(done > pi, lack + left / 2, done / 2))
-    left_sine = each_sin(pick(left > pi, lack + done / 2, left / 2))
+    done_sine = each_sin(each_pick(done > pi, lack + left / 2, done / 2))
+    left_sine = each_sin(each_pick(left > pi, lack + done / 2, left / 2))
     half_cosine = each_sin(lack / 2)
     end, middle = rates_each(beta, eta, field_angle, basin, tip, half_width, sine, near, far, height)
     return MotionEach(
@@ -111,7 +112,7 @@ def unevenness_each(eta, field_angle, middle, sine, near, far):
     """√far − √near: by the roots where they are apart, else by far − near = 2η sin 2(middle − α) sin(half_width)."""
     by_turns = 2 * eta * each_sin(2 * (middle - field_angle)) * sine / (each_sqrt(near) + each_sqrt(far))
     apart = (8 * near < far) | (8 * far < near) | (near + far < 2 * eta * sine)
-    return pick(apart, each_sqrt(far) - each_sqrt(near), by_turns)
+    return each_pick(apart, each_sqrt(far) - each_sqrt(near), by_turns)
 
 
 def parallel_side_each(beta, eta, piece, rise, drop, from_hill, depth):
@@ -141,7 +142,7 @@ def parallel_side_each(beta, eta, piece, rise, drop, from_hill, depth):
 
 def within_each(sine):
     """A sine that rounding may have brought beyond 1."""
-    return pick(sine < 1, sine, 1)
+    return each_pick(sine < 1, sine, 1)
 
 
 def far_side_each(eta, piece, rise, drop, depth, done):
@@ -160,30 +161,30 @@ def far_side_each(eta, piece, rise, drop, depth, done):
     else:
         above = -fall_each(eta, well, 0, -depth)
     by_hill = below < above
-    distance = reach_either_each(eta, far, far_well, by_hill, pick(by_hill, below, above), down)
-    turn = pick(by_hill, down - distance, distance)  # far turning point − far_well
+    distance = reach_either_each(eta, far, far_well, by_hill, each_pick(by_hill, below, above), down)
+    turn = each_pick(by_hill, down - distance, distance)  # far turning point − far_well
     # clamp − far_well
     clamp_turn = down - piece.far_gap if basin.passes else piece.clamp_gap - piece.high_depth
-    left = pick(by_hill, piece.far_gap - distance, distance - clamp_turn)
+    left = each_pick(by_hill, piece.far_gap - distance, distance - clamp_turn)
     if basin.passes:
         half_width = (turn + depth + (far_well.angle - well.angle)) / 2
     else:
         half_width = (turn + depth) / 2
-    far_moment = pick(by_hill, slope_each(eta, far, -distance), slope_each(eta, far_well, distance)) * -1
+    far_moment = each_pick(by_hill, slope_each(eta, far, -distance), slope_each(eta, far_well, distance)) * -1
     far_moment = larger(far_moment, 4 * epsilon() * distance)
     if piece.high_kind == "turn":
         left = larger(beyond_clamp_each(eta, piece, drop, left), 0)
-    return half_width, left, far_moment, pick(by_hill, distance, down - distance)
+    return half_width, left, far_moment, each_pick(by_hill, distance, down - distance)
 
 
 def reach_either_each(eta, hill, well, by_hill, amount, most):
     """``reach`` down from the hill, or up from the well, whichever is asked for."""
     rest = hill._replace(
-        stiffness=pick(by_hill, hill.stiffness, well.stiffness),
-        double_cosine=pick(by_hill, hill.double_cosine, well.double_cosine),
-        double_sine=pick(by_hill, hill.double_sine, well.double_sine),
+        stiffness=each_pick(by_hill, hill.stiffness, well.stiffness),
+        double_cosine=each_pick(by_hill, hill.double_cosine, well.double_cosine),
+        double_sine=each_pick(by_hill, hill.double_sine, well.double_sine),
     )
-    return reach_each(eta, rest, amount, most, pick(by_hill, -1, 1))
+    return reach_each(eta, rest, amount, most, each_pick(by_hill, -1, 1))
 
 
 def beyond_clamp_each(eta, piece, drop, rough):
@@ -197,7 +198,7 @@ def beyond_clamp_each(eta, piece, drop, rough):
     amount = fall_each(eta, basin.well, high - drop, drop)
     better = onward_each(eta, rest, start, -amount, rough)
     # Newton's method leaves a place where V is nearly level for one far away.
-    return pick((rough > 0.25 * each_abs(start)) | (each_abs(better - rough) > 0.01), rough, better)
+    return each_pick((rough > 0.25 * each_abs(start)) | (each_abs(better - rough) > 0.01), rough, better)
 
 
 def rates_each(beta, eta, field_angle, basin, tip, half_width, sine, near, far, height):
@@ -211,14 +212,14 @@ def rates_each(beta, eta, field_angle, basin, tip, half_width, sine, near, far, 
     ahead, behind = each_sin(half_width / 2 + double / 2), each_sin(half_width / 2 - double / 2)
     by_far, by_near = far - 2 * eta * ahead * ahead, near - 2 * eta * behind * behind
     apart = above_field_each(eta, basin, middle, half_width, field_angle, height)
-    apart = pick(2 * by_near > near, by_near, apart)
-    apart = pick(2 * by_far > far, by_far, apart)
-    apart = pick(mean - eta > 0.1 * eta, mean - eta, apart)
+    apart = each_pick(2 * by_near > near, by_near, apart)
+    apart = each_pick(2 * by_far > far, by_far, apart)
+    apart = each_pick(mean - eta > 0.1 * eta, mean - eta, apart)
     # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.
-    least = larger(height, epsilon() ** 19) if basin.passes else epsilon() * pick(near < far, near, far) / 4
+    least = larger(height, epsilon() ** 19) if basin.passes else epsilon() * each_pick(near < far, near, far) / 4
     apart = larger(apart, least)
-    split = sine * each_sqrt(apart * (mean + eta) / pick(excess < 0, product - excess, 1))
-    return each_sqrt(product / 2), pick(excess < 0, split, each_sqrt(product + larger(excess, 0))) / 2
+    split = sine * each_sqrt(apart * (mean + eta) / each_pick(excess < 0, product - excess, 1))
+    return each_sqrt(product / 2), each_pick(excess < 0, split, each_sqrt(product + larger(excess, 0))) / 2
 
 
 def above_field_each(eta, basin, middle, half_width, field_angle, height):
@@ -227,10 +228,10 @@ def above_field_each(eta, basin, middle, half_width, field_angle, height):
     shift = wrapped_each(2 * (field_angle - middle))
     offset = wrapped_each(middle + shift - basin.axis.angle)
     # As near the ridge as rounding it is nearer still: it is there to the second order in the height.
-    offset = pick(each_abs(offset) < 32 * spacing(offset), 0, offset)
+    offset = each_pick(each_abs(offset) < 32 * each_spacing(offset), 0, offset)
     outer, inner = each_sin(half_width / 2), each_sin(shift / 2)
     turn = outer * outer - inner * inner
-    return (height + fall_each(eta, basin.axis, 0, offset)) / pick(turn == 0, 1, turn)
+    return (height + fall_each(eta, basin.axis, 0, offset)) / each_pick(turn == 0, 1, turn)
 
 
 def wrapped_each(angle):

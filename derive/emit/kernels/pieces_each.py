@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/pieces.py: do not edit, change that file.
 
-Digest of the inputs: sha256 a5aafe179cd7a68f226d381b55100111d2bdb2923170c61068bbd0af7c514e5e
+Digest of the inputs: sha256 e116f954c3df83edff490dd48ff0d709af1a2e63ae9a7dbf66f4fe92aa48d2bf
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ from derive.emit.kernels.array_arithmetic import (
     each_asin,
     each_cos,
     each_floor,
+    each_pick,
     each_sin,
+    each_spacing,
     each_sqrt,
     larger,
-    pick,
-    spacing,
 )
 from derive.emit.kernels.landscape_each import LandscapeEach, RestEach, offset_from_each
 from derive.emit.kernels.potential_each import fall_from_rest_each, moment_from_rest_each
@@ -76,7 +76,7 @@ def clamp_in_each(rests, angle):
     turns = each_floor((angle - rests[0].angle) / (2 * pi))
     for _ in range(3):
         offsets = tuple(offset_from_each(rest, angle, turns) for rest in rests)
-        shift = pick(offsets[0] < 0, -1, pick(offsets[-1] >= 0, 1, 0))
+        shift = each_pick(offsets[0] < 0, -1, each_pick(offsets[-1] >= 0, 1, 0))
         if not any_of(shift != 0):
             break
         turns = turns + shift
@@ -102,15 +102,15 @@ def reach_each(eta, rest, amount, most, side):
     """
     amount = larger(amount, 0)  # of a hill and a well that nearly meet, rounding may give less
     share = amount / larger(each_abs(fall_each(eta, rest, 0, side * most)), epsilon() ** 20)
-    near = most * each_asin(each_sqrt(pick(share < 1, share, 1))) * (2 / pi)
+    near = most * each_asin(each_sqrt(each_pick(share < 1, share, 1))) * (2 / pi)
     goal, moving = each_sqrt(amount), True
     for _ in range(40):
         here = each_sqrt(each_abs(fall_each(eta, rest, 0, side * near)))
         force = larger(each_abs(slope_each(eta, rest, side * near)), epsilon() ** 20)
         trial = near - 2 * here * (here - goal) / force
-        trial = pick(trial > most, (near + most) / 2, pick(trial < 0, near / 2, trial))
+        trial = each_pick(trial > most, (near + most) / 2, each_pick(trial < 0, near / 2, trial))
         # Newton's method squares the error: after a step this small the next one would change nothing.
-        moving, near = each_abs(trial - near) > spacing(trial) ** 0.6 * near, trial
+        moving, near = each_abs(trial - near) > each_spacing(trial) ** 0.6 * near, trial
         if not any_of(moving):
             break
     return near
@@ -124,12 +124,12 @@ def onward_each(eta, rest, start, amount, rough):
     """
     steep = slope_each(eta, rest, start)
     told = (each_abs(rough) > 0.001 * each_abs(start)) | (steep == 0)
-    distance = pick(told, rough, amount / pick(told, 1, steep))
+    distance = each_pick(told, rough, amount / each_pick(told, 1, steep))
     for _ in range(40):
         force = slope_each(eta, rest, start + distance)
-        step = (fall_each(eta, rest, start, distance) - amount) / pick(force == 0, 1, force)
-        distance = pick(each_abs(distance - step) > pi, rough, distance - step)
-        if not any_of(each_abs(step) > spacing(distance) ** 0.6 * each_abs(distance)):
+        step = (fall_each(eta, rest, start, distance) - amount) / each_pick(force == 0, 1, force)
+        distance = each_pick(each_abs(distance - step) > pi, rough, distance - step)
+        if not any_of(each_abs(step) > each_spacing(distance) ** 0.6 * each_abs(distance)):
             break
     return distance
 
@@ -177,7 +177,7 @@ def ridge_ground_each(eta, scene, at, drop):
     rests = scene.rests
     level = reach_each(eta, rests[0], drop, rests[1].angle - rests[0].angle, 1)
     # Near the far hill V says which is higher only by the distance from that hill.
-    height = pick(at[2] < -at[4], fall_each(eta, rests[2], 0, at[2]), fall_each(eta, rests[4], 0, at[4]) - drop)
+    height = each_pick(at[2] < -at[4], fall_each(eta, rests[2], 0, at[2]), fall_each(eta, rests[4], 0, at[4]) - drop)
     return GroundEach(eta, scene, at, drop, level, height)
 
 
@@ -259,8 +259,8 @@ def from_hill_to_turn_each(eta, basin, at):
         below = fall_each(eta, basin.far, 0, at[2]) - basin.far_rise
         from_top = reach_each(eta, basin.hill, larger(below, 0), down, 1)
         from_well = reach_each(eta, basin.well, above, down, -1)
-        depth = pick(below < above, down - from_top, from_well)
-        width = pick(below < above, from_top, down - from_well)
+        depth = each_pick(below < above, down - from_top, from_well)
+        width = each_pick(below < above, from_top, down - from_well)
     return piece_of_each(basin, "hill", "turn", 0, width, depth, depth + at[1], 0, at)
 
 
@@ -279,7 +279,7 @@ def level_turn_each(ground):
     # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
     from_hill = reach_each(eta, basin.hill, ground.drop + below, down, 1)
     near = onward_each(eta, basin.hill, level, below, from_hill - level)
-    width = pick(below < above / 4, near, down - level - from_well)
+    width = each_pick(below < above / 4, near, down - level - from_well)
     return piece_of_each(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
 
 
@@ -303,7 +303,7 @@ def pass_turn_each(ground):
     down = over.well.angle - over.hill.angle
     width = -at[4] if over.even else reach_each(eta, over.hill, fall_each(eta, over.far, 0, at[4]), down, 1)
     # Towards the hill V is flat and tells little, but there the angles tell all.
-    gap = pick(width < level / 2, level - width, -onward_each(eta, over.hill, level, ground.height, width - level))
+    gap = each_pick(width < level / 2, level - width, -onward_each(eta, over.hill, level, ground.height, width - level))
     return piece_of_each(over, "hill", "turn", 0, width, down - width, at[0] - width, gap, at)
 
 
@@ -313,7 +313,7 @@ def piece_of_each(basin, low_kind, high_kind, low_offset, width, high_depth, cla
     rest, offset = rests[0], at[0]
     for other, distance in zip(rests[1:], at[1:], strict=False):
         closer = each_abs(distance) < each_abs(offset)
-        rest, offset = pick_rest_each(closer, other, rest), pick(closer, distance, offset)
+        rest, offset = pick_rest_each(closer, other, rest), each_pick(closer, distance, offset)
     last = at[len(rests) - 1]
     return PieceEach(
         basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last
@@ -322,4 +322,4 @@ def piece_of_each(basin, low_kind, high_kind, low_offset, width, high_depth, cla
 
 def pick_rest_each(condition, yes, no):
     """One or the other direction, number by number."""
-    return RestEach(*(pick(condition, *pair) for pair in zip(yes, no, strict=True)))
+    return RestEach(*(each_pick(condition, *pair) for pair in zip(yes, no, strict=True)))

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/swing.py: do not edit, change that file.
 
-Digest of the inputs: sha256 9e57e611a2134724cd16ad5677304c62a8bb695aed6d71946b7c1ce1d648fe34
+Digest of the inputs: sha256 1ab6e1d742db2cc0bd87e8e687ad059e38168d239f12ffb37b1294f56becfe96
 """
 
 from __future__ import annotations
@@ -15,10 +15,10 @@ from derive.emit.kernels.array_arithmetic import (
     each_abs,
     each_atan2,
     each_hypot,
+    each_pick,
     each_sin,
     each_sqrt,
     larger,
-    pick,
 )
 from derive.emit.kernels.formulas_each import (
     back_below_each,
@@ -60,13 +60,15 @@ def phase_of_each(motion):
     gap = each_sin((motion.left - motion.done) / 4)
     behind, ahead = far * done / whole, near * left / whole
     lead = phase_lead_each(near, motion.half_cosine, motion.uneven, done, gap) / whole
-    cosine = pick(each_abs(ahead - behind) > 0.8, ahead - behind, lead)
+    cosine = each_pick(each_abs(ahead - behind) > 0.8, ahead - behind, lead)
     # Not zero: at the tip itself the motion has no point by ℘.
     square = larger(chi_square_each(behind, ahead), epsilon() ** 19)
     size, first = each_abs(cosine), cosine >= 0
     delta = each_hypot(end * cosine, motion.middle * each_sqrt(square))
-    half = pick(first, half_square_each(end, square, size, delta), half_square_beyond_each(end, size, delta))
-    rest = pick(first, half_rest_each(end, size, delta), half_rest_beyond_each(end, motion.middle, square, size, delta))
+    half = each_pick(first, half_square_each(end, square, size, delta), half_square_beyond_each(end, size, delta))
+    rest = each_pick(
+        first, half_rest_each(end, size, delta), half_rest_beyond_each(end, motion.middle, square, size, delta)
+    )
     return PhaseEach(half, rest, whole, delta)
 
 
@@ -116,11 +118,11 @@ def phase_at_each(a, b, length):
     mean = (a + b) / 2
     quarter = pi / (2 * mean)
     first = 2 * length <= quarter
-    small = each_sin(mean * pick(first, length, quarter - length))
+    small = each_sin(mean * each_pick(first, length, quarter - length))
     small = small * small
-    square, rest = pick(first, small, 1 - small), pick(first, 1 - small, small)
+    square, rest = each_pick(first, small, 1 - small), each_pick(first, 1 - small, small)
     for a, b in reversed(steps):
         gap = a - b
-        below = pick(gap > 0, back_below_each(a, b, square), back_below_rest_each(a, b, rest))
+        below = each_pick(gap > 0, back_below_each(a, b, square), back_below_rest_each(a, b, rest))
         square, rest = back_square_each(a, square, below), back_rest_each(a, b, gap, rest, below)
     return square, rest

@@ -1,0 +1,101 @@
+"""The equilibria of tips that have been found: ``bent_rod`` and ``straight_rod`` on arrays."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from numpy import abs, cos, flatnonzero, floor, full, ldexp, sin, sqrt, where, zeros
+
+from derive.emit.kernels.arcs_each import arc_to_each, clamp_point_each, far_point_each
+from derive.emit.kernels.arithmetic import pi
+from derive.emit.kernels.block_records import rows
+
+
+class Columns(NamedTuple):
+    """Equilibria, flat: the number of the rod, and what ``Equilibrium`` says of its tip."""
+
+    case: Any
+    tip_angle: Any
+    clamp_curvature: Any
+    gamma: Any
+    y: Any
+    z: Any
+    energy: Any
+    index: Any
+
+
+def no_columns():
+    """No equilibria."""
+    whole, none = zeros(0, dtype=int), zeros(0)
+    return Columns(whole, none, none, none, none, none, none, whole)
+
+
+def index_each(found):
+    """``index_of`` on arrays."""
+    swings = 2 * found.turns - (found.sign < 0)
+    positive = found.rising != (found.sign > 0)
+    return where(positive == (swings % 2 == 0), swings, swings + 1).astype(int)
+
+
+def bent(group, found, side, scale, most):
+    """The equilibria of tips on their branches."""
+    index = index_each(found)
+    wanted = flatnonzero(index <= most)
+    if wanted.size < index.size:
+        found, index = rows(found, wanted), index[wanted]
+    some = rows(group, found.range)
+    rods, motion, phase = some.rods, found.motion, found.phase
+    beta, eta, field_angle = rods.beta, rods.eta, rods.field_angle
+    cosine, aligned = cos(motion.tip), cos(motion.tip - field_angle)
+    y, z, square = positions(rods, found)
+    speed = phase.delta * phase.whole / (motion.end * motion.sine) * sqrt(2 * motion.done_sine * motion.left_sine)
+    gamma = 2 * beta * cosine + eta * aligned * aligned
+    energy = gamma * rods.length / 2 - 2 * beta * y - square
+    scale = scale[rods.case]
+    return Columns(
+        rods.case,
+        side * (motion.tip + 2 * pi * some.turns),
+        -side * found.sign * ldexp(speed, scale),
+        ldexp(gamma, 2 * scale),
+        ldexp(y, -scale),
+        side * ldexp(z, -scale),
+        ldexp(energy, scale),
+        index,
+    )
+
+
+def positions(rods, found):
+    """∫cos θ, ∫sin θ and η∫cos²(θ − α) along the rods; whole half-swings only for those that have any."""
+    motion, phase = found.motion, found.phase
+    beta, eta, field_angle = rods.beta, rods.eta, rods.field_angle
+    point = clamp_point_each(motion, phase)
+    part = arc_to_each(beta, eta, field_angle, motion, point, phase.square, phase.rest, found.arrival)
+    columns = [found.sign * column for column in part]
+    swung = flatnonzero(found.turns > 0)
+    if swung.size:
+        some, motion, swing, turns = rows((rods, found.motion, found.swing, found.turns), swung)
+        one, none = full(swung.shape, 1.0), zeros(swung.size)
+        far = far_point_each(motion)
+        whole = arc_to_each(some.beta, some.eta, some.field_angle, motion, far, one, none, swing)
+        for column, change in zip(columns, whole, strict=True):
+            column[swung] += 2 * turns * change
+    return columns
+
+
+def straight_rods(straight, scale, most):
+    """The rods that stay straight."""
+    rods, rest, length = straight.rods, straight.rest, straight.rods.length
+    cosine, sine = cos(rest.extra) + 0 * length, sin(rest.extra) + 0 * length
+    for _ in range(rest.quarters % 4):
+        cosine, sine = -sine, cosine
+    aligned = cos(rest.angle - rods.field_angle)
+    soft = -rest.stiffness
+    index = where(soft > 0, floor(length * sqrt(abs(soft)) / pi + 0.5), 0).astype(int)
+    energy = -(rods.beta * cosine + rods.eta * aligned * aligned / 2) * length
+    here = scale[rods.case]
+    extent = ldexp(length, -here)
+    gamma = ldexp(2 * rods.beta * cosine + rods.eta * aligned * aligned, 2 * here)
+    found = Columns(
+        rods.case, rods.clamp_angle, 0 * extent, gamma, cosine * extent, sine * extent, ldexp(energy, here), index
+    )
+    return rows(found, index <= most)
