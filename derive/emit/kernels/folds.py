@@ -49,11 +49,11 @@ def all_folds(beta, length, clamp_angle, field_angle, low, high):
     return sorted(found, key=lambda item: (item.eta, item.tip_angle))
 
 
-def both_sides(beta, eta, length, clamp_angle, field, scale):
+def both_sides(beta, eta, length, clamp_angle, field_angle, scale):
     """The rod, and its mirror image."""
     return (
-        Rod(beta, eta, length, clamp_angle, field, 1, scale),
-        Rod(beta, eta, length, -clamp_angle, reflected(field), -1, scale),
+        Rod(beta, eta, length, clamp_angle, field_angle, 1, scale),
+        Rod(beta, eta, length, -clamp_angle, reflected(field_angle), -1, scale),
     )
 
 
@@ -94,14 +94,15 @@ def rod_of(mark):
     return bent_rod(mark.rod, mark.turns, mark.piece, Crossing(mark.place, swings, sign, True), index)
 
 
-def pitchforks(beta, length, clamp_angle, field, scale, places):
+def pitchforks(beta, length, clamp_angle, field_angle, scale, places):
     """Where the rod that stays straight buckles: ℓ√(−dθ″/dθ) is an odd number of quarter turns.
 
     The clamp angle is without moment for every η only where the rod is symmetric about it, and then the bent rods
     come in pairs. Near it u″ = (B + C)u − (B + 4C)u³/6 + (B + 16C)u⁵/120 with B = β cos θ₀, C = η cos 2(θ₀ − α): the
     signs say whether the half-swing grows with the amplitude.
     """
-    rests = [straight_at(beta, eta, clamp_angle, field) for eta in (places[0], places[len(places) // 2], places[-1])]
+    some = places[0], places[len(places) // 2], places[-1]
+    rests = [straight_at(beta, eta, clamp_angle, field_angle) for eta in some]
     if any(rest is None for rest in rests):
         return []
     cosine, sine = direction(rests[-1])
@@ -121,8 +122,8 @@ def pitchforks(beta, length, clamp_angle, field, scale, places):
     return found
 
 
-def straight_at(beta, eta, clamp_angle, field):
+def straight_at(beta, eta, clamp_angle, field_angle):
     """The direction without moment that is the clamp angle; None if there is none."""
-    rests = landscape(beta, eta, field).rests
+    rests = landscape(beta, eta, field_angle).rests
     offsets = clamp_in(rests, clamp_angle).offsets
     return next((rest for rest, offset in zip(rests, offsets, strict=True) if offset == 0), None)
