@@ -48,10 +48,11 @@ class Rods(NamedTuple):
 
 
 class Group(NamedTuple):
-    """Ranges of one kind, one a rod. turns: whole turns of the clamp."""
+    """Ranges of one kind, one a rod. turns: whole turns of the clamp; rank: among the ranges of a rod, from low to high."""
 
     rods: Rods
     turns: Any
+    rank: Any
     piece: Any
 
 
@@ -73,10 +74,12 @@ def groups(rods):
                 straight.append(Straight(rows(some, flat), rows(rest, flat)))
         ground, low = ground_of_kind(some, scene, clamp)
         doubtful.append(some.case[low])
-        for here, build in ranges_each(ground):
+        for rank, (here, build) in enumerate(ranges_each(ground)):
             which = flatnonzero(here & ~low)
             if which.size:
-                group = Group(rows(some, which), clamp.turns[which], build(rows(ground, which)))
+                group = Group(
+                    rows(some, which), clamp.turns[which], full(which.shape, rank), build(rows(ground, which))
+                )
                 dips = nearly_ridge(group.rods, group.piece)
                 doubtful.append(group.rods.case[dips])
                 if not dips.all():

@@ -55,9 +55,10 @@ class Brackets(NamedTuple):
 
 
 class Found(NamedTuple):
-    """Tips: the range, the branch, whether it grows with the tip, and the motion with its phase and its times."""
+    """Tips: the range, place and branch, whether it grows with the tip, the motion with its phase and its times."""
 
     range: Any
+    place: Any
     turns: Any
     sign: Any
     rising: Any
@@ -90,9 +91,10 @@ def rough_times(rods, piece, place):
     more = True
     while more:
         more = (abs(a - b) > 1e-3 * a).any()
-        total, below = a + b, a + each_sqrt(a * a * rest + b * b * square)
+        delta = each_sqrt(a * a * rest + b * b * square)
+        total, below = a + b, a + delta
         ratio = total / below
-        inner = a + (a * a + b * b * square) / (below - a + b * square)
+        inner = a + (a * a + b * b * square) / (delta + b * square)
         square, rest = ratio * ratio * square, 2 * a / below * rest * (inner / below)
         a, b = total / 2, each_sqrt(a * b)
     mean = (a + b) / 2
@@ -285,8 +287,21 @@ def polished(group, brackets, kind):
         close = abs(step) <= 4 * epsilon() * (1 + abs(place[todo]))
         close |= abs(now) <= 4 * epsilon() * length[todo]
         done = todo[close]
-        here, state = rows(brackets, done), rows((motion, phase, swing, arrival), close)
-        parts.append(Found(here.range, here.turns, here.sign, rising[done], state[0], state[1], state[2], state[3]))
+        state = rows((motion, phase, swing, arrival), close)
+        branch = rows(brackets, done)
+        parts.append(
+            Found(
+                branch.range,
+                place[done],
+                branch.turns,
+                branch.sign,
+                rising[done],
+                state[0],
+                state[1],
+                state[2],
+                state[3],
+            )
+        )
         value[todo], before[todo] = now, place[todo]
         place[todo] -= step
         todo = todo[~close & (place[todo] >= least[todo]) & (place[todo] <= most[todo])]

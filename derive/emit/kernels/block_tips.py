@@ -12,9 +12,14 @@ from derive.emit.kernels.block_records import rows
 
 
 class Columns(NamedTuple):
-    """Equilibria, flat: the number of the rod, and what ``Equilibrium`` says of its tip."""
+    """Equilibria, flat: the number of the rod, and what ``Equilibrium`` says of its tip.
+
+    rank, place: they put the tips of a rod in order, also those that are nearer than rounding.
+    """
 
     case: Any
+    rank: Any
+    place: Any
     tip_angle: Any
     clamp_curvature: Any
     gamma: Any
@@ -24,10 +29,13 @@ class Columns(NamedTuple):
     index: Any
 
 
+LAST = 100  # beyond the rank of any range
+
+
 def no_columns():
     """No equilibria."""
     whole, none = zeros(0, dtype=int), zeros(0)
-    return Columns(whole, none, none, none, none, none, none, whole)
+    return Columns(whole, whole, none, none, none, none, none, none, none, whole)
 
 
 def index_each(found):
@@ -54,6 +62,8 @@ def bent(group, found, side, scale, most):
     scale = scale[rods.case]
     return Columns(
         rods.case,
+        side * (some.rank - LAST),
+        side * found.place,
         side * (motion.tip + 2 * pi * some.turns),
         -side * found.sign * ldexp(speed, scale),
         ldexp(gamma, 2 * scale),
@@ -96,6 +106,15 @@ def straight_rods(straight, scale, most):
     extent = ldexp(length, -here)
     gamma = ldexp(2 * rods.beta * cosine + rods.eta * aligned * aligned, 2 * here)
     found = Columns(
-        rods.case, rods.clamp_angle, 0 * extent, gamma, cosine * extent, sine * extent, ldexp(energy, here), index
+        rods.case,
+        0 * index,
+        0 * extent,
+        rods.clamp_angle,
+        0 * extent,
+        gamma,
+        cosine * extent,
+        sine * extent,
+        ldexp(energy, here),
+        index,
     )
     return rows(found, index <= most)

@@ -78,7 +78,17 @@ def block(beta, eta, length, clamp_angle, field_angle, size, max_index):
             )
             parts.append(one._replace(case=one.case + case))
         found = joined(parts)
-    return rows(found, lexsort((found.tip_angle, found.case)))
+    return in_order_each(rows(found, lexsort((found.place, found.rank, found.case))))
+
+
+def in_order_each(found):
+    """``in_order`` on arrays: tips that are nearer than rounding as equal, where rounding would exchange them."""
+    tip, alike = found.tip_angle, found.case[1:] == found.case[:-1]
+    wrong = alike & (tip[1:] < tip[:-1])
+    while wrong.any():
+        tip = concatenate([tip[:1], where(wrong, tip[:-1], tip[1:])])
+        wrong = alike & (tip[1:] < tip[:-1])
+    return found._replace(tip_angle=tip)
 
 
 def at_once(beta, eta, length, clamp_angle, field_angle, size, most):
@@ -114,6 +124,8 @@ def one_by_one(beta, eta, length, clamp_angle, field_angle, max_index):
     found = all_equilibria(beta, eta, length, clamp_angle, field_angle, max_index)
     return Columns(
         zeros(len(found), dtype=int),
+        arange(len(found)),
+        zeros(len(found)),
         array([item.tip_angle for item in found], dtype=float),
         array([item.clamp_curvature for item in found], dtype=float),
         array([item.gamma for item in found], dtype=float),
