@@ -8,11 +8,18 @@ import numpy as np
 import pytest
 
 from derive.emit.kernels import blocks
-from derive.emit.kernels.block_tips import Columns as Table
+from derive.emit.kernels.block_tips import Columns
 from derive.emit.kernels.blocks import sweep_arrays as sweep_grid
 from derive.emit.kernels.equilibria import all_equilibria
 
 RODS = 40  # of each scene
+# Many tips of these are nearer to another than rounding, and motions pass close by a ridge.
+LONG_RODS = [
+    (0.14415961271963373, 1.2469795110750008, 101.93823924318994, -4.070065403351004, -0.6),
+    (0.027559113243068367, 0.1246991582997512, 354.681672938378, 1.4795640811798592, pi / 2),
+    (0.5412268555474342, 1.7104539485741403, 146.86619902731087, 1.4255282686199102, -0.6),
+]
+FIELDS = ("tip_angle", "clamp_curvature", "gamma", "y", "z", "energy", "index")
 
 
 def sweep_arrays(beta, eta, length, clamp, field, most):
@@ -37,12 +44,12 @@ def random_rods(scene: str, seed: int, count: int = RODS) -> list[np.ndarray]:
 def scalar_rows(rods: list[np.ndarray], case: int, most: int | None = None) -> np.ndarray:
     """The scalar solver's equilibria of one rod, a row each."""
     found = all_equilibria(*(float(part[case]) for part in rods), most)
-    return np.array([[getattr(item, name) for name in Table._fields[1:]] for item in found]).reshape(len(found), 7)
+    return np.array([[getattr(item, name) for name in FIELDS] for item in found]).reshape(len(found), 7)
 
 
-def table_rows(table: Table, case: int) -> np.ndarray:
+def table_rows(table: Columns, case: int) -> np.ndarray:
     """The sweep's equilibria of one rod, a row each."""
-    return np.array(table[1:]).T[table.case == case]
+    return np.array([getattr(table, name) for name in FIELDS]).T[table.case == case]
 
 
 def assert_alike(ours: np.ndarray, theirs: np.ndarray, length: float) -> None:
@@ -132,3 +139,19 @@ def test_a_pair_of_tips_far_from_the_ends_of_a_range_is_found() -> None:
         found = table.tip_angle[table.case == case]
         assert found.shape == integrated.shape
         assert np.allclose(found, integrated, atol=4 * pi / 6000)
+
+
+def test_no_wide_step_beside_a_narrow_one_hides_a_pair() -> None:
+    rod = (1.1514166848626897, 1.1514166848626897, 17.461037970950017, 3.141592653589794, 0.3)
+    tips = np.array([one.tip_angle for one in all_equilibria(*rod, None)])
+    swept = sweep_arrays(*(np.full(blocks.FEWEST, part) for part in rod), None)
+    for tip in tips_by_integration(*rod):
+        assert min(abs(tips - tip)) < 4 * pi / 6000
+    assert np.allclose(swept.tip_angle[swept.case == 3], tips)
+
+
+def test_long_rods_keep_the_order_of_tips_that_are_nearer_than_rounding() -> None:
+    rods = [np.array(column) for column in zip(*LONG_RODS * 6, strict=True)]
+    table = sweep_arrays(*rods, None)
+    for case, rod in enumerate(LONG_RODS):
+        assert_alike(table_rows(table, case), scalar_rows(rods, case), rod[2])

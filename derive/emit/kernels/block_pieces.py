@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from numpy import abs, concatenate, flatnonzero, full, where, zeros
+from numpy import abs, concatenate, flatnonzero, full, inf, log, where, zeros
 
 from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import any_of
@@ -34,6 +34,9 @@ from derive.emit.kernels.pieces_each import (
     ridge_ground_each,
 )
 
+NEARLY = 0.3  # how far η may be below the value at which a ridge appears, and still slow motions down, over β + η
+SHARP = 0.01  # the same from which on the dips are too narrow for the samples here
+
 
 class Rods(NamedTuple):
     """Rods in their own units of length: see ``equilibria.Rod``. case: their number in the block; slow: ℓ√(β + η)."""
@@ -48,12 +51,16 @@ class Rods(NamedTuple):
 
 
 class Group(NamedTuple):
-    """Ranges of one kind, one a rod. turns: whole turns of the clamp; rank: among the ranges of a rod, from low to high."""
+    """Ranges of one kind, one a rod. turns: whole turns of the clamp; rank: among the rod's ranges, from low to high.
+
+    dip: the place around which a ridge that is not quite there slows the motion down, or None for all of them.
+    """
 
     rods: Rods
     turns: Any
     rank: Any
     piece: Any
+    dip: Any
 
 
 class Straight(NamedTuple):
@@ -78,27 +85,38 @@ def groups(rods):
             which = flatnonzero(here & ~low)
             if which.size:
                 group = Group(
-                    rows(some, which), clamp.turns[which], full(which.shape, rank), build(rows(ground, which))
+                    rows(some, which), clamp.turns[which], full(which.shape, rank), build(rows(ground, which)), None
                 )
-                dips = nearly_ridge(group.rods, group.piece)
-                doubtful.append(group.rods.case[dips])
-                if not dips.all():
-                    found.append(rows(group, ~dips))
+                parts, sharp = by_dips(group)
+                found += parts
+                doubtful.append(sharp)
     return found, straight, concatenate(doubtful)
 
 
+def by_dips(group):
+    """The ranges without and with a dip, and the cases left to the scalar solver, for their dip is too sharp."""
+    missing, dip = nearly_ridge(group.rods, group.piece)
+    plain, wide = missing > NEARLY, (missing <= NEARLY) & (missing >= SHARP)
+    parts = [rows(group, plain)] if plain.any() else []
+    if wide.any():
+        parts.append(rows(group._replace(dip=dip), wide))
+    return parts, group.rods.case[~plain & ~wide]
+
+
 def nearly_ridge(rods, piece):
-    """The ranges with a ridge that is not quite there: ``search.places``, whose closer samples are not taken here."""
+    """How far η is below the value at which a ridge would appear, and the place at which the motion would meet it:
+    see ``search.places``. No number where that is not on the range."""
     basin = piece.basin
     if basin.even or basin.passes or piece.low_kind == "level" or basin.far.quarters - basin.hill.quarters != 4:
-        return zeros(rods.case.shape, dtype=bool)
+        return full(rods.case.shape, inf), rods.slow
     beta, eta, angle = rods.beta, rods.eta, abs(rods.field_angle)
     side = astroid_cusp_each(angle)
     missing = -ridge_couple_each(beta, eta, angle, side) / (beta + eta)
     cusp = where(rods.field_angle > 0, angle + pi + side, pi - angle - side)
     down = basin.well.angle - basin.hill.angle
     rise = reach_each(eta, basin.hill, fall_each(eta, basin.hill, 0, cusp - basin.hill.angle), down, 1)
-    return (missing <= 0.3) & (rise > 0) & (rise < piece.width)
+    inside = (rise > 0) & (rise < piece.width)
+    return where(inside, missing, inf), log(rise / (piece.width - rise))
 
 
 def landscapes(rods):

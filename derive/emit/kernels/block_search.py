@@ -28,6 +28,7 @@ from numpy import (
     nan,
     nonzero,
     repeat,
+    sort,
     where,
 )
 
@@ -41,6 +42,7 @@ from derive.emit.kernels.swing_each import lengths_each, phase_of_each
 ROUGH_SLOW = 12  # ℓ√(β + η) up to which single precision holds the places of all tips but the most extreme
 ROUGH_DEPTH = 28.0  # places up to which squares of offsets are numbers in single precision
 SPREAD = 2.0**-6  # distance of the places that tell the slope of a branch in single precision
+AROUND = concatenate([-(0.5 ** arange(13)), [0], 0.5 ** arange(12, -1, -1)])  # places about a dip
 SAMPLES = 16384  # samples taken at once: arrays that stay in the cache
 
 
@@ -135,12 +137,17 @@ def bracketed(group, kind, most):
     deepest = ROUGH_DEPTH if kind is float32 else 600.0
     first, last = maximum(first, -deepest), minimum(last, deepest)
     below, above = spaced(-first.min()), spaced(last.max())
-    size = max(SAMPLES // (len(below) + len(above)), 1)
+    more = 0 if group.dip is None else AROUND.size
+    size = max(SAMPLES // (len(below) + len(above) + more), 1)
     parts, doubts = [], []
     for start in range(0, first.size, size):
         here = slice(start, start + size)
         some, edge = rounded_to(rows(group, here), kind), (first[here], last[here])
-        places = concatenate([edge[0] * below[:0:-1, None], edge[1] * above[:, None]]).astype(kind)
+        places = concatenate([edge[0] * below[:0:-1, None], edge[1] * above[:, None]])
+        if some.dip is not None:
+            closer = clip(some.dip + AROUND[:, None], edge[0], edge[1])
+            places = sort(concatenate([places, closer]), axis=0)
+        places = places.astype(kind)
         swings, arrivals = rough_times(some.rods, some.piece, places)
         deep = capped[0][here], capped[1][here]
         for sign in (1, -1):
@@ -192,7 +199,9 @@ def extrema(group, sign, places, counts):
     """Brackets beside the extrema that reach beyond a whole number, and the ranges where that is not sure."""
     before, here, after = counts[:-2], counts[1:-1], counts[2:]
     top = here > before
-    reach = maximum(abs(before - here), abs(after - here))
+    gaps = maximum(places[1:] - places[:-1], 1e-30)
+    share = gaps[1:] / gaps[:-1]
+    reach = maximum(abs(before - here) * share, abs(after - here) / share)
     goal = where(top, ceil(here), floor(here))
     near = where(top, goal - here, here - goal)
     row, which = nonzero(((before - here) * (after - here) > 0) & (near <= reach) & (goal >= 0))

@@ -8,6 +8,7 @@ from numpy import (
     abs,
     arange,
     array,
+    bincount,
     concatenate,
     errstate,
     flatnonzero,
@@ -101,7 +102,17 @@ def at_once(beta, eta, length, clamp_angle, field_angle, size, most):
     good = (slow < SLOWEST) & (slow > epsilon())
     fit = flatnonzero(good)
     above, below = one_side(rows(rods, fit), 1, scale, most), one_side(rows(mirrored, fit), -1, scale, most)
-    return joined([above[0], below[0]]), unique(concatenate([flatnonzero(~good), above[1], below[1]]))
+    found = joined([above[0], below[0]])
+    left = concatenate([flatnonzero(~good), above[1], below[1], flatnonzero(short(found, size, most))])
+    return found, unique(left)
+
+
+def short(found, size, most):
+    """The rods of which an equilibrium is missing: those of even and of odd index differ by one in number (the
+    degree of the equation is that of the rod without load), and the least energy has index 0."""
+    if most < inf:
+        return bincount(found.case, minlength=size) == 0
+    return bincount(found.case, weights=1 - 2 * (found.index % 2), minlength=size) != 1
 
 
 def principal_each(field_angle):
