@@ -17,7 +17,7 @@ Formulas, each proved equal to its derivation:
     rest_fall, rest_moment, rest_stiffness, second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic,
     turn_level, turn_over (DLMF 4.21(iii)), turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7),
     w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 1588ea036c01f0ba94d6874a10bdd7d4dd07ec608d242eb63ab5233764163735
+Digest of the inputs: sha256 48e7d4494911e60fd74744179a4cd884d4b35625fdfa2950eb87de06f2a302e9
 """
 
 from __future__ import annotations
@@ -1439,8 +1439,9 @@ def at_extremum(sample, triple, counts, length, sign):
     left, middle, right = triple
     before, here, after = counts
     top = here > before
-    # The steeper neighbouring slopes, carried on, bound an extremum of a curve that bends one way.
-    reachable = here + (1 if top else -1) * max(abs(before - here), abs(after - here))
+    # The slope on either side, carried on over the other one, bounds an extremum of a curve that bends one way.
+    share = (right.place - middle.place) / (middle.place - left.place)
+    reachable = here + (1 if top else -1) * max(abs(before - here) * share, abs(after - here) / share)
     goal = ceil(here) if top else floor(here)
     if (top and (goal > reachable or here == goal)) or (not top and goal < reachable) or goal < 0:
         return []
@@ -1919,7 +1920,7 @@ def all_real(name, values):
 
 
 class Given(NamedTuple):
-    """The parameters of many rods, as arrays of one length."""
+    """The parameters of many rods: numbers or arrays."""
 
     beta: Any
     length: Any

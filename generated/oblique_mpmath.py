@@ -18,7 +18,7 @@ Formulas, each proved equal to its derivation:
     second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic, turn_level, turn_over (DLMF 4.21(iii)),
     turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
     w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 65a8458b4fddfc7c7f79abdbd65cf8e71fd24f21ad7c08147d030aa59cbfe363
+Digest of the inputs: sha256 873d912b7f31a01b06df260e68ab5abdf8a483a8af63b7c699e31f2fca1a316d
 """
 
 from __future__ import annotations
@@ -1458,7 +1458,7 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
         half_width = depth + (basin.axis.angle - well.angle)
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
         far_moment, far_distance = near_moment, from_hill
-    elif field_angle == 0 and not basin.passes:
+    elif any_of(field_angle == 0) and not basin.passes:
         half_width, left, far_moment, far_distance = parallel_side(beta, eta, piece, rise, drop, from_hill, depth)
     else:
         half_width, left, far_moment, far_distance = far_side(eta, piece, rise, drop, depth, done)
@@ -1692,8 +1692,9 @@ def at_extremum(sample, triple, counts, length, sign):
     left, middle, right = triple
     before, here, after = counts
     top = here > before
-    # The steeper neighbouring slopes, carried on, bound an extremum of a curve that bends one way.
-    reachable = here + (1 if top else -1) * max(abs(before - here), abs(after - here))
+    # The slope on either side, carried on over the other one, bounds an extremum of a curve that bends one way.
+    share = (right.place - middle.place) / (middle.place - left.place)
+    reachable = here + (1 if top else -1) * max(abs(before - here) * share, abs(after - here) / share)
     goal = ceil(here) if top else floor(here)
     if (top and (goal > reachable or here == goal)) or (not top and goal < reachable) or goal < 0:
         return []
@@ -2176,7 +2177,7 @@ def all_real(name, values):
 
 
 class Given(NamedTuple):
-    """The parameters of many rods, as arrays of one length."""
+    """The parameters of many rods: numbers or arrays."""
 
     beta: Any
     eta: Any
@@ -2543,11 +2544,11 @@ def marks(sides, wanted=None):
     return found
 
 
-def both_sides(beta, eta, length, clamp_angle, field, scale):
+def both_sides(beta, eta, length, clamp_angle, field_angle, scale):
     """The rod, and its mirror image."""
     return (
-        Rod(beta, eta, length, clamp_angle, field, 1, scale),
-        Rod(beta, eta, length, -clamp_angle, reflected(field), -1, scale),
+        Rod(beta, eta, length, clamp_angle, field_angle, 1, scale),
+        Rod(beta, eta, length, -clamp_angle, reflected(field_angle), -1, scale),
     )
 
 
@@ -2732,21 +2733,22 @@ def zeros(values_at, places, origin, least):
     return found
 
 
-def straight_at(beta, eta, clamp_angle, field):
+def straight_at(beta, eta, clamp_angle, field_angle):
     """The direction without moment that is the clamp angle; None if there is none."""
-    rests = landscape(beta, eta, field).rests
+    rests = landscape(beta, eta, field_angle).rests
     offsets = clamp_in(rests, clamp_angle).offsets
     return next((rest for rest, offset in zip(rests, offsets, strict=True) if offset == 0), None)
 
 
-def pitchforks(beta, length, clamp_angle, field, scale, places):
+def pitchforks(beta, length, clamp_angle, field_angle, scale, places):
     """Where the rod that stays straight buckles: ℓ√(−dθ″/dθ) is an odd number of quarter turns.
 
     The clamp angle is without moment for every η only where the rod is symmetric about it, and then the bent rods
     come in pairs. Near it u″ = (B + C)u − (B + 4C)u³/6 + (B + 16C)u⁵/120 with B = β cos θ₀, C = η cos 2(θ₀ − α): the
     signs say whether the half-swing grows with the amplitude.
     """
-    rests = [straight_at(beta, eta, clamp_angle, field) for eta in (places[0], places[len(places) // 2], places[-1])]
+    some = places[0], places[len(places) // 2], places[-1]
+    rests = [straight_at(beta, eta, clamp_angle, field_angle) for eta in some]
     if any(rest is None for rest in rests):
         return []
     cosine, sine = direction(rests[-1])

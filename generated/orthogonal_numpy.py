@@ -5,20 +5,28 @@ Emitted by `derive emit` from the scene 'orthogonal': do not edit, change the sc
 Gives: equilibria, shape, sweep, folds, exchanges.
 Load case: orthogonal. Valid for beta >= 0, eta >= 0, length > 0, any clamp_angle.
 Formulas, each proved equal to its derivation:
-    arc_kink (DLMF 19.29(ii)), arc_kink_tip, arc_square (DLMF 19.29(ii)), arc_y (exsl36), arc_z (exsl41),
-    back_below (DLMF 19.8(iii)), back_below_rest (DLMF 19.8(iii)), back_rest (DLMF 19.8(iii)),
-    back_square (DLMF 19.8(iii)), chi_cosine (DLMF 22.6(iii)), chi_coversine (DLMF 22.6(iii)),
-    chi_rate (DLMF 22.6(iii)), chi_scale (DLMF 22.6(iii)), chi_square (DLMF 4.21(iii)),
-    chi_versine (DLMF 22.6(iii)), far_pair_root, far_root, gauss_rest (DLMF 19.8(iii)),
-    gauss_square (DLMF 19.8(iii)), half_rest (DLMF 22.6(iii)), half_rest_beyond (DLMF 22.6(iii)),
-    half_square (DLMF 22.6(iii)), half_square_beyond (DLMF 22.6(iii)), near_by_phase (DLMF 19.25.35),
-    others_product, others_sum, pair_lift, pair_root, pair_root_sum (DLMF 19.26(iii)), phase_lead,
-    phase_rate (DLMF 19.2.4), phase_sum, point_near, point_pole (exsl22), point_speed (exsl8), pole_gap,
-    rest_fall, rest_moment, rest_stiffness, rj_delta_imag (DLMF 19.26(iii)), rj_delta_real (DLMF 19.26(iii)),
-    second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic, turn_level, turn_over (DLMF 4.21(iii)),
+    arc_kink (DLMF 19.29(ii)), arc_kink_each (DLMF 19.29(ii)), arc_kink_tip, arc_kink_tip_each,
+    arc_square (DLMF 19.29(ii)), arc_square_each (DLMF 19.29(ii)), arc_y (exsl36), arc_y_each (exsl36),
+    arc_z (exsl41), arc_z_each (exsl41), back_below (DLMF 19.8(iii)), back_below_rest (DLMF 19.8(iii)),
+    back_rest (DLMF 19.8(iii)), back_square (DLMF 19.8(iii)), chi_cosine (DLMF 22.6(iii)),
+    chi_coversine (DLMF 22.6(iii)), chi_rate (DLMF 22.6(iii)), chi_scale (DLMF 22.6(iii)),
+    chi_square (DLMF 4.21(iii)), chi_square_each (DLMF 4.21(iii)), chi_versine (DLMF 22.6(iii)), far_pair_root,
+    far_pair_root_each, far_root, far_root_each, gauss_rest (DLMF 19.8(iii)), gauss_rest_each (DLMF 19.8(iii)),
+    gauss_square (DLMF 19.8(iii)), gauss_square_each (DLMF 19.8(iii)), half_rest (DLMF 22.6(iii)),
+    half_rest_beyond (DLMF 22.6(iii)), half_rest_beyond_each (DLMF 22.6(iii)), half_rest_each (DLMF 22.6(iii)),
+    half_square (DLMF 22.6(iii)), half_square_beyond (DLMF 22.6(iii)), half_square_beyond_each (DLMF 22.6(iii)),
+    half_square_each (DLMF 22.6(iii)), near_by_phase (DLMF 19.25.35), others_product, others_product_each,
+    others_sum, others_sum_each, pair_lift, pair_lift_each, pair_root, pair_root_each,
+    pair_root_sum (DLMF 19.26(iii)), pair_root_sum_each (DLMF 19.26(iii)), phase_lead, phase_lead_each,
+    phase_rate (DLMF 19.2.4), phase_rate_each (DLMF 19.2.4), phase_sum, phase_sum_each, point_near,
+    point_near_each, point_pole (exsl22), point_pole_each (exsl22), point_speed (exsl8), pole_gap, pole_gap_each,
+    rest_fall, rest_fall_each, rest_moment, rest_moment_each, rest_stiffness, rest_stiffness_each,
+    rj_delta_imag (DLMF 19.26(iii)), rj_delta_imag_each (DLMF 19.26(iii)), rj_delta_real (DLMF 19.26(iii)),
+    rj_delta_real_each (DLMF 19.26(iii)), second_kind_step (DLMF 19.8.19), second_kind_step_each (DLMF 19.8.19),
+    strength (exsl17), strength_each (exsl17), tip_cubic, tip_cubic_each, turn_level, turn_over (DLMF 4.21(iii)),
     turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
-    w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 bfd24b02ddbd25bf74a020f6a308b88b3ddfb5964a39b3b0bf82bb4b279bf6cc
+    w_imag_each (DLMF 19.29(ii)), w_real (DLMF 19.29(ii)), w_real_each (DLMF 19.29(ii))
+Digest of the inputs: sha256 fe5069c344ca0181bd7b3c8df79d7aa1f457fd63a75442f7eb6bd6ec6dd94f0e
 """
 
 from __future__ import annotations
@@ -28,7 +36,26 @@ from cmath import sqrt as complex_sqrt
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from math import asin, atan, atan2, ceil, cos, exp, floor, frexp, hypot, inf, isfinite, ldexp, log, log2, pi, sin, sqrt
+from math import (
+    asin,
+    atan,
+    atan2,
+    ceil,
+    cos,
+    exp,
+    floor,
+    frexp,
+    hypot,
+    inf,
+    isfinite,
+    ldexp,
+    log,
+    log2,
+    pi,
+    prod,
+    sin,
+    sqrt,
+)
 from operator import index
 from typing import Any, NamedTuple
 
@@ -49,6 +76,17 @@ TERMS = 9  # of the series before what can be left out is left out
 ANGLE_DEGREE = 6  # of the short series: two gathers of up to four coefficients each
 PLACE_DEGREE = 5  # the slope is not asked for, so it needs a degree less
 LOOKUP_BLOCK = 8192  # points at a time, so that what is gathered for them stays in the cache
+BLOCK = 8192  # rods at once
+FEWEST = 16  # rods that are faster on arrays than one by one
+SLOWEST = 250.0  # ℓ√(β + η) from which offsets would be too small for their squares
+NEARLY = 0.3  # how far η may be below the value at which a ridge appears, and still slow motions down, over β + η
+SHARP = 0.01  # the same from which on the dips are too narrow for the samples here
+ROUGH_SLOW = 12  # ℓ√(β + η) up to which single precision holds the places of all tips but the most extreme
+ROUGH_DEPTH = 28.0  # places up to which squares of offsets are numbers in single precision
+AROUND = np.concatenate([-0.5 ** np.arange(13), [0], 0.5 ** np.arange(12, -1, -1)])  # places about a dip
+SAMPLES = 16384  # samples taken at once: arrays that stay in the cache
+SPREAD = 2.0**-6  # distance of the places that tell the slope of a branch in single precision
+LAST = 100  # beyond the rank of any range
 FINEST = 0.4
 ROUGH = 0.02
 WINDOW = 0.5
@@ -123,6 +161,37 @@ def arctan_share(z, end):
         return 1 - z * (1 / 3 - z * (1 / 5 - z * (1 / 7 - z * (1 / 9 - z / 11))))
     root = complex_sqrt(-z)
     return complex_log((1 + root) * (1 + root) / end) / (2 * root)
+
+
+def each_less_quarters(angle, quarters):
+    """angle − quarters·π/2, with π/2 in two parts of which the first has 33 bits, so that nothing is lost."""
+    return (angle - quarters * 1.5707963267341256) - quarters * 6.077100506506192e-11
+
+
+def each_pick(condition, yes, no):
+    """``yes`` where the condition holds, else ``no``; whole numbers take the precision of what they meet."""
+    chosen = np.where(condition, yes, no)
+    return chosen.astype(np.float32) if chosen.dtype.kind in "ib" else chosen
+
+
+def each_spacing(x):
+    """The each_spacing of numbers just above 1, in the precision of the array."""
+    return float(np.finfo(x.dtype).eps)
+
+
+def each_complex_of(real, imaginary):
+    """The complex numbers of real and imaginary parts."""
+    return real + 1j * imaginary
+
+
+def each_arctan_share(z, end):
+    """R_C(1, end) for complex end = 1 + z: arctan(√z)/√z, by its series where z is small (DLMF 19.2.18)."""
+    share = 1 - z * (1 / 3 - z * (1 / 5 - z * (1 / 7 - z * (1 / 9 - z / 11))))
+    far = np.abs(z) >= 0.001
+    if np.any(far):
+        root = np.sqrt(-z[far])
+        share[far] = np.log((1 + root) * (1 + root) / end[far]) / (2 * root)
+    return share
 
 
 # Formulas, as derived
@@ -586,6 +655,330 @@ def point_speed(b, done_sine, x_near, pair_root):
     Equation exsl8; proved as swing.point_speed.
     """
     return 4 * pair_root * done_sine * done_sine * sqrt(x_near) / b
+
+
+def rest_fall_each(eta, stiffness, double_cosine, double_sine, middle_sine, middle_cosine, half_sine, half_cosine):
+    """V(rest + middle − half) − V(rest + middle + half), from a direction without moment.
+
+    Proved as swing.rest_fall.
+    """
+    return (
+        4
+        * half_sine
+        * half_cosine
+        * (
+            2
+            * middle_sine
+            * middle_cosine
+            * (
+                stiffness
+                - 2
+                * eta
+                * double_cosine
+                * (middle_sine * middle_sine + (1 - 2 * middle_sine * middle_sine) * half_sine * half_sine)
+            )
+            - eta
+            * double_sine
+            * (
+                (3 - 4 * middle_sine * middle_sine) * middle_sine * middle_sine
+                + (1 - 8 * middle_sine * middle_sine * middle_cosine * middle_cosine) * half_sine * half_sine
+            )
+        )
+    )
+
+
+def rest_moment_each(eta, stiffness, double_cosine, double_sine, sine, cosine):
+    """θ″ at an offset from a direction without moment, by the sine and cosine of half the offset.
+
+    Proved as swing.rest_moment.
+    """
+    return (
+        2
+        * sine
+        * (
+            cosine * (stiffness - 2 * eta * double_cosine * sine * sine)
+            - 0.5 * eta * double_sine * sine * (3 - 4 * sine * sine)
+        )
+    )
+
+
+def phase_sum_each(root_near, root_far, done_sine, left_sine):
+    """√P′ sin(δ/2) + √P sin(D − δ/2).
+
+    Proved as swing.phase_sum.
+    """
+    return root_near * left_sine + root_far * done_sine
+
+
+def phase_lead_each(root_near, half_cosine, uneven, done_sine, gap_sine):
+    """√P sin(D − δ/2) − √P′ sin(δ/2), with gap_sine = sin((D − δ)/2) and uneven = √P′ − √P.
+
+    Proved as swing.phase_lead.
+    """
+    return 2 * root_near * half_cosine * gap_sine - uneven * done_sine
+
+
+def chi_square_each(behind, ahead):
+    """sin²χ, by the two parts of the phase's sum as shares of it.
+
+    Equation DLMF 4.21(iii); proved as swing.chi_square.
+    """
+    return 4 * behind * ahead
+
+
+def half_square_each(end, square, tilt, delta):
+    """sin²ψ by sin²χ = square and cos χ = tilt ≥ 0: χ runs to π, ψ to π/2, with half the rates.
+
+    Equation DLMF 22.6(iii); proved as swing.half_square.
+    """
+    return end * square / ((end + delta) * (1 + tilt))
+
+
+def half_square_beyond_each(end, tilt, delta):
+    """sin²ψ by cos χ = −tilt ≤ 0.
+
+    Equation DLMF 22.6(iii); proved as swing.half_square_beyond.
+    """
+    return end * (1 + tilt) / (end + delta)
+
+
+def half_rest_each(end, tilt, delta):
+    """cos²ψ by cos χ = tilt ≥ 0.
+
+    Equation DLMF 22.6(iii); proved as swing.half_rest.
+    """
+    return (delta + end * tilt) / (end + delta)
+
+
+def half_rest_beyond_each(end, middle, square, tilt, delta):
+    """cos²ψ by sin²χ = square and cos χ = −tilt ≤ 0.
+
+    Equation DLMF 22.6(iii); proved as swing.half_rest_beyond.
+    """
+    return square * middle * middle / ((delta + end * tilt) * (end + delta))
+
+
+def phase_rate_each(first, second, square, rest):
+    """Δ = √(a² cos²ψ + b² sin²ψ), dψ/dσ.
+
+    Equation DLMF 19.2.4; proved as swing.phase_rate.
+    """
+    return np.sqrt(rest * first * first + square * second * second)
+
+
+def gauss_square_each(square, total, below):
+    """sin²ψ′ of Gauss's step, which keeps the integral: a′ = (a + b)/2, b′ = √(ab); total = a + b, below = a + Δ.
+
+    Equation DLMF 19.8(iii); proved as swing.gauss_square.
+    """
+    return square * total * total / (below * below)
+
+
+def gauss_rest_each(first, second, square, rest, delta, below):
+    """cos²ψ′ of Gauss's step, without a difference; below = a + Δ.
+
+    Equation DLMF 19.8(iii); proved as swing.gauss_rest.
+    """
+    return (
+        2
+        * first
+        * rest
+        * (first + (first * first + square * second * second) / (delta + second * square))
+        / (below * below)
+    )
+
+
+def strength_each(moment_there):
+    """b of the expansion t = b/(℘ − c), by θ″ at the tip.
+
+    Equation exsl17; proved as swing.strength.
+    """
+    return 0.25 * moment_there
+
+
+def point_near_each(b, sine, done_sine, left_sine):
+    """X₁ = x − ê₁ at a point, zero at the far turning point, by sin D, sin(δ/2) and sin(D − δ/2).
+
+    Proved as swing.point_near.
+    """
+    return b * left_sine / (sine * done_sine)
+
+
+def pair_root_each(root_near, done_sine, whole, rate):
+    """√X₂√X₃ by the phase's sum and the rate of χ over that at the turning points.
+
+    Proved as swing.pair_root.
+    """
+    return 0.125 * root_near * whole * rate / done_sine
+
+
+def pair_root_sum_each(square, delta):
+    """√X₂ + √X₃ by sin²ψ and Δ.
+
+    Equation DLMF 19.26(iii); proved as swing.pair_root_sum.
+    """
+    return 2 * delta / np.sqrt(square)
+
+
+def point_pole_each(b, sine, cosine):
+    """x = ℘ − c by the sine and cosine of δ/2, or any two numbers in their ratio.
+
+    Equation exsl22; proved as swing.point_pole.
+    """
+    return b * cosine / sine
+
+
+def far_root_each(near, cosine):
+    """ê₁, the value of x at the far turning point, by P and cos D.
+
+    Proved as swing.far_root.
+    """
+    return 0.125 * near * cosine
+
+
+def rj_delta_real_each(eta, b, double_cosine):
+    """The real part of (p − X₁)(p − X₂)(p − X₃), p = x − ib, for the duplication of R_J, by cos 2(φ − α).
+
+    Equation DLMF 19.26(iii); proved as swing.rj_delta_real.
+    """
+    return 0.25 * eta * double_cosine * b * b
+
+
+def rj_delta_imag_each(eta, b, double_sine):
+    """The imaginary part of (p − X₁)(p − X₂)(p − X₃), p = x − ib, for the duplication of R_J, by sin 2(φ − α).
+
+    Equation DLMF 19.26(iii); proved as swing.rj_delta_imag.
+    """
+    return 0.25 * eta * double_sine * b * b
+
+
+def pair_lift_each(root_near, root_far, uneven, half_cosine, square, rest):
+    """x + √X₂√X₃ by the phase, with uneven = √P′ − √P.
+
+    Proved as swing.pair_lift.
+    """
+    return 0.125 * root_near * (uneven + 2 * root_near * half_cosine * half_cosine + 2 * root_far * rest / square)
+
+
+def w_real_each(b, rj_im):
+    """The real part of W = (2ib/3)R_J(X₁, X₂, X₃, x − ib): ∫e^{iθ}dσ = e^{iφ}(σ + W).
+
+    Equation DLMF 19.29(ii); proved as swing.w_real.
+    """
+    return -2 * b * rj_im / 3
+
+
+def w_imag_each(b, rj_re):
+    """The imaginary part of W = (2ib/3)R_J(X₁, X₂, X₃, x − ib): ∫e^{iθ}dσ = e^{iφ}(σ + W).
+
+    Equation DLMF 19.29(ii); proved as swing.w_imag.
+    """
+    return 2 * b * rj_re / 3
+
+
+def arc_y_each(sine, cosine, arc, w_re, w_im):
+    """∫y′ dσ from the tip to the point, by sin φ and cos φ.
+
+    Equation exsl36; proved as swing.arc_y.
+    """
+    return cosine * (arc + w_re) - sine * w_im
+
+
+def arc_z_each(sine, cosine, arc, w_re, w_im):
+    """∫z′ dσ from the tip to the point, by sin φ and cos φ.
+
+    Equation exsl41; proved as swing.arc_z.
+    """
+    return sine * (arc + w_re) + cosine * w_im
+
+
+def rest_stiffness_each(beta, eta, cosine, double_cosine):
+    """dθ″/dθ by cos θ and cos 2(θ − α), where small rotations h obey h″ = (dθ″/dθ)h; at the tip it is q.
+
+    Proved as swing.rest_stiffness.
+    """
+    return beta * cosine + eta * double_cosine
+
+
+def tip_cubic_each(beta, eta, sine, double_sine):
+    """m, the coefficient of t³ in the half-angle quartic at the tip, by sin φ and sin 2(φ − α).
+
+    Proved as swing.tip_cubic.
+    """
+    return beta * sine - 0.5 * eta * double_sine
+
+
+def others_sum_each(q, root):
+    """ê₂ + ê₃ by ê₁.
+
+    Proved as swing.others_sum.
+    """
+    return -0.25 * q - root
+
+
+def pole_gap_each(pole, size, others_sum, others_product, pair_root):
+    """x² − x√X₂√X₃, with size = |x|, x > 0.
+
+    Proved as swing.pole_gap.
+    """
+    return pole * (pole * others_sum - others_product) / (size + pair_root)
+
+
+def others_product_each(b, m, root, others_sum):
+    """ê₂ê₃ by ê₁ and ê₂ + ê₃.
+
+    Proved as swing.others_product.
+    """
+    return 0.25 * b * m - root * others_sum
+
+
+def arc_kink_each(square, delta, across, b, pole, near_root, pair_root):
+    """The part of ∫η cos²(θ − α)dσ without integral.
+
+    Equation DLMF 19.29(ii); proved as swing.arc_kink.
+    """
+    return 4 * delta * across / square - 2 * near_root * (1 + pole * pair_root / (b * b + pole * pole))
+
+
+def arc_kink_tip_each(first, second, delta, across, b, pole, near_root, gap):
+    """The same where x is large, by x² − x√X₂√X₃.
+
+    Proved as swing.arc_kink_tip.
+    """
+    return (
+        across * (4 * second - 4 * first) * (first + second) / delta
+        + 2 * near_root * (gap + b * b) / (b * b + pole * pole)
+    )
+
+
+def second_kind_step_each(first, second, square, rest, delta, arc):
+    """2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step.
+
+    Equation DLMF 19.8.19; proved as swing.second_kind_step.
+    """
+    return (first + second) * (first - second) * (0.5 * arc - np.sqrt(square * rest) / (first + delta))
+
+
+def arc_square_each(beta, eta, cosine, aligned, first, root, arc, y, kink, growth):
+    """η∫cos²(θ − α)dσ from the tip to the point, by cos φ and cos(φ − α).
+
+    Equation DLMF 19.29(ii); proved as swing.arc_square.
+    """
+    return (
+        arc * (beta * cosine + eta * aligned * aligned)
+        - beta * y
+        - 2 * arc * (2 * first * first - 2 * root)
+        - 2 * kink
+        - 8 * growth
+    )
+
+
+def far_pair_root_each(end):
+    """√X₂√X₃ at the far turning point, by the rate of χ there.
+
+    Proved as swing.far_pair_root.
+    """
+    return 0.25 * end * end
 
 
 # Solver
@@ -1186,10 +1579,10 @@ def wrapped(angle):
     return angle - 2 * pi * floor(angle / (2 * pi) + 0.5)
 
 
-def above_field(eta, basin, middle, half_width, field_angle, height):
+def above_field(eta, basin, middle, half_width, height):
     """``mean`` less η where they are near each other: 2(V(tip) − V)/(cos(θ − middle) − cos(half_width)) at the θ at
     which it is least, which lies then near the ridge or the well. height: from there to the tip."""
-    shift = wrapped(2 * (field_angle - middle))
+    shift = wrapped(2 * (0.5 * pi - middle))
     offset = wrapped(middle + shift - basin.axis.angle)
     # As near the ridge as rounding it is nearer still: it is there to the second order in the height.
     offset = pick(abs(offset) < 32 * spacing(offset), 0, offset)
@@ -1198,17 +1591,17 @@ def above_field(eta, basin, middle, half_width, field_angle, height):
     return (height + fall(eta, basin.axis, 0, offset)) / pick(turn == 0, 1, turn)
 
 
-def rates(beta, eta, field_angle, basin, tip, half_width, sine, near, far, height):
+def rates(beta, eta, basin, tip, half_width, sine, near, far, height):
     """dχ/dσ at the ends and in the middle of the motion."""
     middle, cosine = tip + half_width, cos(half_width)
-    double = 2 * (middle - field_angle)
+    double = 2 * (middle - 0.5 * pi)
     product = sqrt(near) * sqrt(far)
     excess = -(2 * beta * cos(middle) * cosine + eta * cos(double) * (1 + cosine * cosine))
     mean = -(2 * beta * cos(middle) + eta * cosine * cos(double))
     # mean − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to level.
     ahead, behind = sin(half_width / 2 + double / 2), sin(half_width / 2 - double / 2)
     by_far, by_near = far - 2 * eta * ahead * ahead, near - 2 * eta * behind * behind
-    apart = above_field(eta, basin, middle, half_width, field_angle, height)
+    apart = above_field(eta, basin, middle, half_width, height)
     apart = pick(2 * by_near > near, by_near, apart)
     apart = pick(2 * by_far > far, by_far, apart)
     apart = pick(mean - eta > 0.1 * eta, mean - eta, apart)
@@ -1254,7 +1647,7 @@ def motion_at(beta, eta, piece: Piece, place):
     done_sine = sin(pick(done > pi, lack + left / 2, done / 2))
     left_sine = sin(pick(left > pi, lack + done / 2, left / 2))
     half_cosine = sin(lack / 2)
-    end, middle = rates(beta, eta, 0.5 * pi, basin, tip, half_width, sine, near, far, height)
+    end, middle = rates(beta, eta, basin, tip, half_width, sine, near, far, height)
     return Motion(
         tip,
         half_width,
@@ -1429,16 +1822,16 @@ def ridge_couple(beta, eta, field_angle, x):
     return twist(eta, x) - beta * sin(field_angle + x)
 
 
-def places(beta, eta, field_angle, length, piece):
+def places(beta, eta, length, piece):
     """Places to begin with, closer around the level at which the motion meets a ridge that is not quite there."""
     found, basin = grid(beta, eta, length, piece), piece.basin
     if basin.even or basin.passes or piece.low_kind == "level" or basin.far.quarters - basin.hill.quarters != 4:
         return found
-    angle = abs(field_angle)
+    angle = abs(0.5 * pi)
     cusp = angle + pi + astroid_cusp(angle)
     # How far η is below the value at which the ridge would appear.
     missing = max(-ridge_couple(beta, eta, angle, astroid_cusp(angle)) / (beta + eta), epsilon())
-    cusp = cusp if field_angle > 0 else 2 * pi - cusp
+    cusp = cusp
     down = basin.well.angle - basin.hill.angle
     rise = reach(eta, basin.hill, fall(eta, basin.hill, 0, cusp - basin.hill.angle), down, 1)
     if missing > 0.3 or not 0 < rise < piece.width:
@@ -1491,8 +1884,9 @@ def at_extremum(sample, triple, counts, length, sign):
     left, middle, right = triple
     before, here, after = counts
     top = here > before
-    # The steeper neighbouring slopes, carried on, bound an extremum of a curve that bends one way.
-    reachable = here + (1 if top else -1) * max(abs(before - here), abs(after - here))
+    # The slope on either side, carried on over the other one, bounds an extremum of a curve that bends one way.
+    share = (right.place - middle.place) / (middle.place - left.place)
+    reachable = here + (1 if top else -1) * max(abs(before - here) * share, abs(after - here) / share)
     goal = ceil(here) if top else floor(here)
     if (top and (goal > reachable or here == goal)) or (not top and goal < reachable) or goal < 0:
         return []
@@ -1591,7 +1985,7 @@ def crossings(beta, eta, length, piece, most):
 
     # No half-swing is shorter than that of the stiffest pendulum.
     signs = (1,) if length * sqrt(beta + eta) < pi else (1, -1)
-    samples = refined(sample, [sample(place) for place in places(beta, eta, 0.5 * pi, length, piece)], length)
+    samples = refined(sample, [sample(place) for place in places(beta, eta, length, piece)], length)
     end = end_sample(piece, samples[-1])
     if end is not None:
         samples.append(end)
@@ -2495,15 +2889,6 @@ def all_real(name, values):
     return np.asarray(flat, dtype=float).reshape(items.shape)
 
 
-class Given(NamedTuple):
-    """The parameters of many rods, as arrays of one length."""
-
-    beta: Any
-    eta: Any
-    length: Any
-    clamp_angle: Any
-
-
 def all_not_negative(name, values):
     """Real numbers ≥ 0, or an error that names the argument and the flat index of the first that is none."""
     numbers = all_real(name, values)
@@ -2518,23 +2903,1410 @@ def all_positive(name, values):
     return numbers
 
 
-def many_rods(beta, eta, length, clamp_angle):
-    """The parameters of many rods as flat arrays, broadcast against one another.
-
-    TypeError or ValueError names the first argument that cannot be, and the flat index of its first bad value.
-    """
-    given = Given(
-        all_not_negative("beta", beta),
-        all_not_negative("eta", eta),
-        all_positive("length", length),
-        all_real("clamp_angle", clamp_angle),
-    )
+def common_shape(given):
+    """The shape to which all parameters broadcast; ValueError if there is none."""
     try:
-        parts = [part.ravel() for part in np.broadcast_arrays(*given)]
+        return np.broadcast_shapes(*(part.shape for part in given))
     except ValueError:
-        shapes = ", ".join(f"{name} {np.shape(part)}" for name, part in zip(given._fields, given, strict=True))
+        shapes = ", ".join(f"{name} {part.shape}" for name, part in zip(given._fields, given, strict=True))
         raise ValueError(f"the arguments do not broadcast against one another: their shapes are {shapes}") from None
-    return Given(*parts)
+
+
+class Given(NamedTuple):
+    """The parameters of many rods: numbers or arrays."""
+
+    beta: Any
+    eta: Any
+    length: Any
+    clamp_angle: Any
+
+
+class Columns(NamedTuple):
+    """Equilibria, flat: the number of the rod, and what ``Equilibrium`` says of its tip.
+
+    rank, place: they put the tips of a rod in order, also those that are nearer than rounding.
+    """
+
+    case: Any
+    rank: Any
+    place: Any
+    tip_angle: Any
+    clamp_curvature: Any
+    gamma: Any
+    y: Any
+    z: Any
+    energy: Any
+    index: Any
+
+
+def no_columns():
+    """No equilibria."""
+    whole, none = np.zeros(0, dtype=int), np.zeros(0)
+    return Columns(whole, whole, none, none, none, none, none, none, none, whole)
+
+
+class Rods(NamedTuple):
+    """Rods in their own units of length: see ``equilibria.Rod``. case: their number in the block; slow: ℓ√(β + η)."""
+
+    case: Any
+    beta: Any
+    eta: Any
+    length: Any
+    clamp_angle: Any
+    slow: Any
+
+
+def each_array(record, change):
+    """The record with ``change`` made to every array in it."""
+    if isinstance(record, np.ndarray):
+        return change(record)
+    if isinstance(record, tuple):
+        parts = [each_array(part, change) for part in record]
+        return type(record)(*parts) if hasattr(record, "_fields") else tuple(parts)
+    return record
+
+
+def rows(record, which):
+    """The record of some of the rods, by their numbers, a mask or a slice."""
+    return each_array(record, lambda array: array[which])
+
+
+def chosen(rods, mask):
+    """Some of the rods, by a mask, or by one truth value for all of them."""
+    return rows(rods, np.flatnonzero(np.full(rods.case.shape, mask)))
+
+
+class RestEach(NamedTuple):
+    """A direction without moment: angle = quarters·π/2 + extra.
+
+    stiffness: dθ″/dθ there, positive on a hill. double_cosine, double_sine: of 2(angle − α).
+    """
+
+    quarters: int
+    extra: float
+    angle: float
+    stiffness: float
+    double_cosine: float
+    double_sine: float
+
+
+class LandscapeEach(NamedTuple):
+    """The directions of one turn, from the highest hill to the same hill a turn on: hill, well(, ridge, well), hill.
+
+    level: the ridge is as high as the hill. even: V is symmetric about every hill and well.
+    """
+
+    rests: tuple[RestEach, ...]
+    level: bool
+    even: bool
+
+
+def along_each(beta, quarters, sign):
+    """A direction along or against the force, no field: what it is about the field is not asked."""
+    return RestEach(quarters, 0, quarters * (pi / 2), sign * beta, 1, 0)
+
+
+def no_field_each(beta):
+    """The force alone."""
+    return LandscapeEach((along_each(beta, 0, 1), along_each(beta, 2, -1), along_each(beta, 4, 1)), False, True)
+
+
+def orthogonal_double_each(beta, eta):
+    """The field across a weaker force: two hills of the same height beside 0."""
+    lean = np.arctan2(np.sqrt((eta - beta) * (eta + beta)), beta)
+    stiffness = (eta - beta) * (eta + beta) / eta
+    cosine = 1 - 2 * (beta / eta) * (beta / eta)
+    sine = -2 * (beta / eta) * np.sqrt((eta - beta) * (eta + beta)) / eta
+    low = RestEach(0, -lean, -lean, stiffness, cosine, -sine)
+    high, again = RestEach(0, lean, lean, stiffness, cosine, sine), low._replace(quarters=4, angle=2 * pi - lean)
+    top, bottom = RestEach(0, 0, 0, beta - eta, -1, 0), RestEach(2, 0, pi, -beta - eta, -1, 0)
+    return LandscapeEach((low, top, high, bottom, again), True, True)
+
+
+def orthogonal_single_each(beta, eta):
+    """The field across a force that is not weaker: one hill, at 0."""
+    top, again = (RestEach(quarters, 0, quarters * (pi / 2), beta - eta, -1, 0) for quarters in (0, 4))
+    return LandscapeEach((top, RestEach(2, 0, pi, -beta - eta, -1, 0), again), False, True)
+
+
+def landscapes(rods):
+    """The rods in groups with landscapes of one kind, and those."""
+    beta, eta = rods.beta, rods.eta
+    free, strong = eta == 0, eta > beta
+    across = ~free
+    if np.any(free):
+        bare = chosen(rods, free)
+        yield bare, no_field_each(bare.beta)
+    if np.any(across & strong):
+        double = chosen(rods, across & strong)
+        yield double, orthogonal_double_each(double.beta, double.eta)
+    if np.any(across & ~strong):
+        single = chosen(rods, across & ~strong)
+        yield single, orthogonal_single_each(single.beta, single.eta)
+
+
+def offset_from_each(rest, angle, turns):
+    """angle − (rest + turns·2π), without cancellation; 0 where no angle within rounding of this tells them apart."""
+    offset = each_less_quarters(angle, 4 * turns + rest.quarters) - rest.extra
+    blur = epsilon() * (np.abs(angle) + np.abs(rest.extra))
+    return each_pick((np.abs(offset) <= blur) | (np.abs(offset) < epsilon() ** 9), 0, offset)
+
+
+class ClampEach(NamedTuple):
+    """The clamp angle in a landscape: whole turns, and its offset from each direction without moment."""
+
+    turns: int
+    offsets: tuple[float, ...]
+
+
+def clamp_in_each(rests, angle):
+    """Whole turns such that the clamp lies from the first hill up to, but not at, its like a turn on."""
+    turns = np.floor((angle - rests[0].angle) / (2 * pi))
+    for _ in range(3):
+        offsets = tuple(offset_from_each(rest, angle, turns) for rest in rests)
+        shift = each_pick(offsets[0] < 0, -1, each_pick(offsets[-1] >= 0, 1, 0))
+        if not np.any(shift != 0):
+            break
+        turns = turns + shift
+    return ClampEach(turns, offsets)
+
+
+class Straight(NamedTuple):
+    """Rods whose clamp angle is a direction without moment."""
+
+    rods: Rods
+    rest: Any
+
+
+def numbered(rests):
+    """The directions with a number for the rest of their angle: only whether two are alike is asked from here on."""
+    last = len(rests) - 1
+    return tuple(rest._replace(extra=k % last) for k, rest in enumerate(rests))
+
+
+class GroundEach(NamedTuple):
+    """What the ranges of a rod are told by: its landscape and the clamp's offsets from the directions there.
+
+    drop: V(hill) − V(ridge); level: from the hill to the level of the ridge; height: V(ridge) − V(clamp). They are 0
+    where no ridge is lower than the hill.
+    """
+
+    eta: float
+    scene: LandscapeEach
+    at: tuple[float, ...]
+    drop: float
+    level: float
+    height: float
+
+
+def level_ground_each(eta, scene, at):
+    """The ground without a ridge lower than the hill."""
+    return GroundEach(eta, scene, at, 0, 0, 0)
+
+
+def ridge_fall_each(beta, eta, hill, ridge):
+    """V(hill) − V(ridge): the sine of half their distance times the slope of V between, as if it were a circle."""
+    half, middle = (ridge.extra - hill.extra) / 2, pi / 2 + (hill.extra + ridge.extra) / 2
+    return np.cos(half) * (2 * beta * np.sin(middle) - eta * np.sin(half) * np.sin(2 * (middle - 0.5 * pi)))
+
+
+def fall_from_rest_each(eta, stiffness, double_cosine, double_sine, middle, half):
+    """V(middle − half) − V(middle + half), with both angles measured from a direction without moment."""
+    return rest_fall_each(
+        eta,
+        stiffness,
+        double_cosine,
+        double_sine,
+        np.sin(middle / 2),
+        np.cos(middle / 2),
+        np.sin(half / 2),
+        np.cos(half / 2),
+    )
+
+
+def fall_each(eta, rest, start, change):
+    """V(start) − V(start + change), from a start measured from a direction without moment."""
+    half = change / 2
+    return fall_from_rest_each(eta, rest.stiffness, rest.double_cosine, rest.double_sine, start + half, half)
+
+
+def moment_from_rest_each(eta, stiffness, double_cosine, double_sine, offset):
+    """θ″ = −V′ at an offset from a direction without moment."""
+    return rest_moment_each(eta, stiffness, double_cosine, double_sine, np.sin(offset / 2), np.cos(offset / 2))
+
+
+def slope_each(eta, rest, offset):
+    """θ″ at an offset from a direction without moment."""
+    return moment_from_rest_each(eta, rest.stiffness, rest.double_cosine, rest.double_sine, offset)
+
+
+def reach_each(eta, rest, amount, most, side):
+    """The distance from a hill (or a well) at which V is lower (or higher) by ``amount``, to one side.
+
+    most: the distance of the next well (or hill). Newton's method for the square root of the difference, which is
+    nearly linear, from the pendulum's value.
+    """
+    amount = np.maximum(amount, 0)  # of a hill and a well that nearly meet, rounding may give less
+    share = amount / np.maximum(np.abs(fall_each(eta, rest, 0, side * most)), epsilon() ** 20)
+    near = most * np.arcsin(np.sqrt(each_pick(share < 1, share, 1))) * (2 / pi)
+    goal, moving = np.sqrt(amount), True
+    for _ in range(40):
+        here = np.sqrt(np.abs(fall_each(eta, rest, 0, side * near)))
+        force = np.maximum(np.abs(slope_each(eta, rest, side * near)), epsilon() ** 20)
+        trial = near - 2 * here * (here - goal) / force
+        trial = each_pick(trial > most, (near + most) / 2, each_pick(trial < 0, near / 2, trial))
+        # Newton's method squares the error: after a step this small the next one would change nothing.
+        moving, near = np.abs(trial - near) > each_spacing(trial) ** 0.6 * near, trial
+        if not np.any(moving):
+            break
+    return near
+
+
+def ridge_ground_each(eta, scene, at, drop):
+    """The ground with a lower ridge."""
+    rests = scene.rests
+    level = reach_each(eta, rests[0], drop, rests[1].angle - rests[0].angle, 1)
+    # Near the far hill V says which is higher only by the distance from that hill.
+    height = each_pick(at[2] < -at[4], fall_each(eta, rests[2], 0, at[2]), fall_each(eta, rests[4], 0, at[4]) - drop)
+    return GroundEach(eta, scene, at, drop, level, height)
+
+
+def ground_of_kind(rods, scene, clamp):
+    """The ground of rods with one kind of landscape, and where a ridge is too near the hill's level to be told."""
+    rests = scene.rests
+    level = scene._replace(rests=numbered(rests))
+    if len(rests) == 3 or scene.level:
+        return level_ground_each(rods.eta, level, clamp.offsets), np.zeros(rods.case.shape, dtype=bool)
+    drop = ridge_fall_each(rods.beta, rods.eta, rests[0], rests[2])
+    low = drop <= epsilon() ** 17 * (rods.beta + rods.eta)
+    return ridge_ground_each(rods.eta, level, clamp.offsets, drop), low
+
+
+def in_basin_each(at, first, inside, builders):
+    """The range of a clamp inside a basin: one before the well and at it, another beyond."""
+    return [(inside & (at[first + 1] <= 0), builders[0]), (inside & (at[first + 1] > 0), builders[1])]
+
+
+def pick_rest_each(condition, yes, no):
+    """One or the other direction, number by number."""
+    return RestEach(*(each_pick(condition, *pair) for pair in zip(yes, no, strict=True)))
+
+
+class BasinEach(NamedTuple):
+    """What stops the rod and what it swings about: the hill that tips come from and the well below them, the hill
+    that stops the motion and the last well before it, and the direction where it is slowest between its ends: the
+    ridge that it passes, or the well.
+
+    far_rise: V(far) − V(hill). even: the motion is symmetric about its middle.
+    """
+
+    hill: RestEach
+    well: RestEach
+    far: RestEach
+    far_well: RestEach
+    axis: RestEach
+    far_rise: float
+    passes: bool
+    even: bool
+
+
+class PieceEach(NamedTuple):
+    """Tip angles from low to low + width in a basin; angles as differences, told without loss.
+
+    low_kind: 'hill', or 'level', where V is that of the ridge. high_kind: 'clamp', the clamp angle itself; 'turn', the
+    angle from which the rod turns back at the clamp angle; 'level'.
+    """
+
+    basin: BasinEach
+    low_kind: str
+    high_kind: str
+    low_offset: float  # low − hill
+    width: float
+    high_depth: float  # well − high
+    clamp_gap: float  # clamp − high
+    level_gap: float  # the angle at the level of the ridge − high, of a motion that passes it
+    clamp_rest: RestEach  # the direction next to the clamp
+    clamp_offset: float  # clamp − that direction
+    far_gap: float  # far − clamp
+
+
+def piece_of_each(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, at):
+    """The record of a range."""
+    rests = (basin.hill, basin.well, basin.axis, basin.far_well, basin.far) if basin.passes else basin[:3]
+    rest, offset = rests[0], at[0]
+    for other, distance in zip(rests[1:], at[1:], strict=False):
+        closer = np.abs(distance) < np.abs(offset)
+        rest, offset = pick_rest_each(closer, other, rest), each_pick(closer, distance, offset)
+    last = at[len(rests) - 1]
+    return PieceEach(
+        basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last
+    )
+
+
+def from_hill_to_clamp_each(basin, at):
+    """From a hill to a clamp before the well."""
+    return piece_of_each(basin, "hill", "clamp", 0, at[0], -at[1], 0, 0, at)
+
+
+def basin_of_each(ground, first):
+    """The basin between two neighbouring hills."""
+    scene = ground.scene
+    hill, well, far = scene.rests[first : first + 3]
+    even = scene.even and (scene.level or len(scene.rests) == 3)
+    return BasinEach(hill, well, far, well, well, ground.drop if first else 0, False, even)
+
+
+def first_clamp_each(ground):
+    """From the first hill to the clamp."""
+    return from_hill_to_clamp_each(basin_of_each(ground, 0), ground.at[:3])
+
+
+def from_hill_to_turn_each(eta, basin, at):
+    """From a hill to where the rod turns back at a clamp beyond the well."""
+    down, depth = basin.well.angle - basin.hill.angle, at[1]
+    width = -at[2]
+    if not basin.even:
+        above = -fall_each(eta, basin.well, 0, at[1])
+        below = fall_each(eta, basin.far, 0, at[2]) - basin.far_rise
+        from_top = reach_each(eta, basin.hill, np.maximum(below, 0), down, 1)
+        from_well = reach_each(eta, basin.well, above, down, -1)
+        depth = each_pick(below < above, down - from_top, from_well)
+        width = each_pick(below < above, from_top, down - from_well)
+    return piece_of_each(basin, "hill", "turn", 0, width, depth, depth + at[1], 0, at)
+
+
+def first_turn_each(ground):
+    """From the first hill to where the rod turns back at the clamp."""
+    return from_hill_to_turn_each(ground.eta, basin_of_each(ground, 0), ground.at[:3])
+
+
+def last_clamp_each(ground):
+    """From the second hill to the clamp."""
+    return from_hill_to_clamp_each(basin_of_each(ground, 2), ground.at[2:])
+
+
+def last_turn_each(ground):
+    """From the second hill to where the rod turns back at the clamp."""
+    return from_hill_to_turn_each(ground.eta, basin_of_each(ground, 2), ground.at[2:])
+
+
+def over_ridge_each(ground):
+    """What stops a motion that passes the ridge."""
+    hill, well, ridge, second, far = ground.scene.rests
+    return BasinEach(hill, well, far, second, ridge, 0, True, ground.scene.even)
+
+
+def pass_clamp_each(ground):
+    """From the highest hill to a clamp above the level of the ridge."""
+    at = ground.at
+    return piece_of_each(over_ridge_each(ground), "hill", "clamp", 0, at[0], -at[1], 0, ground.level - at[0], at)
+
+
+def pass_level_each(ground):
+    """From the highest hill to the level of the ridge."""
+    over, level, at = over_ridge_each(ground), ground.level, ground.at
+    return piece_of_each(
+        over, "hill", "level", 0, level, over.well.angle - over.hill.angle - level, at[0] - level, 0, at
+    )
+
+
+def onward_each(eta, rest, start, amount, rough):
+    """How far beyond ``start``, an offset from a direction without moment, V has fallen by ``amount``.
+
+    The rough value is good to rounding of the angles; where little of it is left, the slope of V at the start gives a
+    better one. Newton's method does the rest.
+    """
+    steep = slope_each(eta, rest, start)
+    told = (np.abs(rough) > 0.001 * np.abs(start)) | (steep == 0)
+    distance = each_pick(told, rough, amount / each_pick(told, 1, steep))
+    for _ in range(40):
+        force = slope_each(eta, rest, start + distance)
+        step = (fall_each(eta, rest, start, distance) - amount) / each_pick(force == 0, 1, force)
+        distance = each_pick(np.abs(distance - step) > pi, rough, distance - step)
+        if not np.any(np.abs(step) > each_spacing(distance) ** 0.6 * np.abs(distance)):
+            break
+    return distance
+
+
+def pass_turn_each(ground):
+    """From the highest hill to where the rod turns back at a clamp above the level of the ridge, beyond it."""
+    eta, over, level, at = ground.eta, over_ridge_each(ground), ground.level, ground.at
+    down = over.well.angle - over.hill.angle
+    width = -at[4] if over.even else reach_each(eta, over.hill, fall_each(eta, over.far, 0, at[4]), down, 1)
+    # Towards the hill V is flat and tells little, but there the angles tell all.
+    gap = each_pick(width < level / 2, level - width, -onward_each(eta, over.hill, level, ground.height, width - level))
+    return piece_of_each(over, "hill", "turn", 0, width, down - width, at[0] - width, gap, at)
+
+
+def level_clamp_each(ground):
+    """From the level of the ridge to the clamp."""
+    level, at = ground.level, ground.at
+    return piece_of_each(basin_of_each(ground, 0), "level", "clamp", level, at[0] - level, -at[1], 0, 0, at)
+
+
+def level_turn_each(ground):
+    """From the level of the ridge to where the rod turns back at the clamp, before the ridge."""
+    eta, basin, level, at = ground.eta, basin_of_each(ground, 0), ground.level, ground.at
+    down = basin.well.angle - basin.hill.angle
+    above, below = -fall_each(eta, basin.well, 0, at[1]), fall_each(eta, basin.far, 0, at[2])
+    from_well = reach_each(eta, basin.well, above, down, -1)
+    # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
+    from_hill = reach_each(eta, basin.hill, ground.drop + below, down, 1)
+    near = onward_each(eta, basin.hill, level, below, from_hill - level)
+    width = each_pick(below < above / 4, near, down - level - from_well)
+    return piece_of_each(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
+
+
+def ranges_each(ground):
+    """Every range that a landscape of this kind can have: whether the rod has it, and its builder. From low to high."""
+    at = ground.at
+    if len(at) == 3:
+        return in_basin_each(at, 0, at[0] > 0, (first_clamp_each, first_turn_each))
+    if ground.scene.level:
+        first = in_basin_each(at, 0, (at[0] > 0) & (at[2] < 0), (first_clamp_each, first_turn_each))
+        return first + in_basin_each(at, 2, at[2] > 0, (last_clamp_each, last_turn_each))
+    before, above = at[2] <= 0, at[0] <= ground.level
+    last = (at[2] > 0) & (ground.height > 0)
+    return [
+        (before & above & (at[0] > 0), pass_clamp_each),
+        (before & (at[0] > ground.level) | last, pass_level_each),
+        ((at[2] > 0) & (ground.height <= 0), pass_turn_each),
+        *in_basin_each(at, 0, (at[0] > ground.level) & (at[2] < 0), (level_clamp_each, level_turn_each)),
+        *in_basin_each(at, 2, last, (last_clamp_each, last_turn_each)),
+    ]
+
+
+class Group(NamedTuple):
+    """Ranges of one kind, one a rod. turns: whole turns of the clamp; rank: among the rod's ranges, from low to high.
+
+    dip: the place around which a ridge that is not quite there slows the motion down, or None for all of them.
+    """
+
+    rods: Rods
+    turns: Any
+    rank: Any
+    piece: Any
+    dip: Any
+
+
+def astroid_cusp_each(field_angle):
+    """Where the second pair is born: tan³x = tan α (Stoner and Wohlfarth's astroid).
+
+    The pair lies at α + π + x with sin α/sin x + cos α/cos x = η/β: it is there when η/β is beyond the least value of
+    the left side, taken at this x.
+    """
+    return np.arctan((np.sin(field_angle) / np.maximum(np.cos(field_angle), epsilon())) ** (1 / 3))
+
+
+def twist_each(eta, x):
+    """The couple of the field on a rod turned by x from it."""
+    return eta * np.sin(x) * np.cos(x)
+
+
+def ridge_couple_each(beta, eta, field_angle, x):
+    """The couple on a rod that points along α + π + x."""
+    return twist_each(eta, x) - beta * np.sin(field_angle + x)
+
+
+def nearly_ridge(rods, piece):
+    """How far η is below the value at which a ridge would appear, and the place at which the motion would meet it:
+    see ``search.places``. No number where that is not on the range."""
+    basin = piece.basin
+    if basin.even or basin.passes or piece.low_kind == "level" or basin.far.quarters - basin.hill.quarters != 4:
+        return np.full(rods.case.shape, np.inf), rods.slow
+    beta, eta, angle = rods.beta, rods.eta, np.abs(0.5 * pi)
+    side = astroid_cusp_each(angle)
+    missing = -ridge_couple_each(beta, eta, angle, side) / (beta + eta)
+    cusp = angle + pi + side
+    down = basin.well.angle - basin.hill.angle
+    rise = reach_each(eta, basin.hill, fall_each(eta, basin.hill, 0, cusp - basin.hill.angle), down, 1)
+    inside = (rise > 0) & (rise < piece.width)
+    return np.where(inside, missing, np.inf), np.log(rise / (piece.width - rise))
+
+
+def by_dips(group):
+    """The ranges without and with a dip, and the cases left to the scalar solver, for their dip is too sharp."""
+    missing, dip = nearly_ridge(group.rods, group.piece)
+    plain, wide = missing > NEARLY, (missing <= NEARLY) & (missing >= SHARP)
+    parts = [rows(group, plain)] if plain.any() else []
+    if wide.any():
+        parts.append(rows(group._replace(dip=dip), wide))
+    return parts, group.rods.case[~plain & ~wide]
+
+
+def groups(rods):
+    """The ranges of tips below the clamp angle, the straight rods, and the cases that are left to the scalar solver."""
+    found, straight, doubtful = [], [], [np.zeros(0, dtype=int)]
+    for some, scene in landscapes(rods):
+        clamp = clamp_in_each(scene.rests, some.clamp_angle)
+        for rest, offset in zip(scene.rests, clamp.offsets, strict=True):
+            flat = np.flatnonzero(offset == 0)
+            if flat.size:
+                straight.append(Straight(rows(some, flat), rows(rest, flat)))
+        ground, low = ground_of_kind(some, scene, clamp)
+        doubtful.append(some.case[low])
+        for rank, (here, build) in enumerate(ranges_each(ground)):
+            which = np.flatnonzero(here & ~low)
+            if which.size:
+                group = Group(
+                    rows(some, which), clamp.turns[which], np.full(which.shape, rank), build(rows(ground, which)), None
+                )
+                parts, sharp = by_dips(group)
+                found += parts
+                doubtful.append(sharp)
+    return found, straight, np.concatenate(doubtful)
+
+
+def ends(rods, piece):
+    """The places of the deepest samples: see ``search.grid``."""
+    rounding = -np.log(epsilon())
+    if piece.low_kind == "level":
+        first = np.minimum(-2 * rods.slow - 6, -rounding)
+    else:
+        first = -rods.slow - 6
+    if piece.high_kind == "level":
+        last = 2 * rods.slow + rounding
+    elif piece.high_kind == "turn":
+        last = np.full(rods.slow.shape, 2 * rounding)
+    else:
+        moment = np.abs(slope_each(rods.eta, piece.clamp_rest, piece.clamp_offset)) + epsilon() ** 20
+        deeper = 4 + np.log(2 * piece.width) - np.log(moment) - 2 * np.log(rods.length)
+        last = np.where(piece.high_depth == 0, rounding, np.maximum(rounding, deeper))
+    return first, last
+
+
+def spaced(deepest):
+    """Places from 0 to the deepest one, as shares of it."""
+    places, step = [0.0], 0.75
+    while places[-1] < deepest:
+        places.append(places[-1] + step)
+        step *= 1.25
+    return np.array(places[:-1] + [deepest]) / deepest
+
+
+def rounded_to(record, kind):
+    """The record with its numbers in another precision, those that all rods share as well."""
+    if isinstance(record, np.ndarray):
+        return record.astype(kind)
+    if isinstance(record, float):
+        return kind(record)
+    if isinstance(record, tuple):
+        parts = [rounded_to(part, kind) for part in record]
+        return type(record)(*parts) if hasattr(record, "_fields") else tuple(parts)
+    return record
+
+
+def reach_either_each(eta, hill, well, by_hill, amount, most):
+    """``reach`` down from the hill, or up from the well, whichever is asked for."""
+    rest = hill._replace(
+        stiffness=each_pick(by_hill, hill.stiffness, well.stiffness),
+        double_cosine=each_pick(by_hill, hill.double_cosine, well.double_cosine),
+        double_sine=each_pick(by_hill, hill.double_sine, well.double_sine),
+    )
+    return reach_each(eta, rest, amount, most, each_pick(by_hill, -1, 1))
+
+
+def beyond_clamp_each(eta, piece, drop, rough):
+    """How far the motion goes beyond the clamp, when the tip is ``drop`` below the one that turns there.
+
+    V falls by the same amount on both sides. The rough value is as good as its difference to the clamp's distance
+    from a hill or a well allows.
+    """
+    basin, rest, start = piece.basin, piece.clamp_rest, piece.clamp_offset
+    high = -piece.high_depth
+    amount = fall_each(eta, basin.well, high - drop, drop)
+    better = onward_each(eta, rest, start, -amount, rough)
+    # Newton's method leaves a place where V is nearly level for one far away.
+    return each_pick((rough > 0.25 * np.abs(start)) | (np.abs(better - rough) > 0.01), rough, better)
+
+
+def far_side_each(eta, piece, rise, drop, depth, done):
+    """Half the width of the motion, how far it goes on beyond the clamp, and the moment where it turns."""
+    basin = piece.basin
+    hill, well, far, far_well = basin.hill, basin.well, basin.far, basin.far_well
+    down = far.angle - far_well.angle
+    if piece.low_kind == "level":
+        below = fall_each(eta, hill, piece.low_offset, rise)
+    else:
+        below = basin.far_rise + fall_each(eta, hill, 0, rise)
+    if basin.passes:
+        # Not below the ridge, however near it is to the well behind it.
+        ridge = fall_each(eta, basin.axis, 0, far_well.angle - basin.axis.angle)
+        above = np.maximum(-fall_each(eta, far_well, 0, down) - below, ridge)
+    else:
+        above = -fall_each(eta, well, 0, -depth)
+    by_hill = below < above
+    distance = reach_either_each(eta, far, far_well, by_hill, each_pick(by_hill, below, above), down)
+    turn = each_pick(by_hill, down - distance, distance)  # far turning point − far_well
+    # clamp − far_well
+    clamp_turn = down - piece.far_gap if basin.passes else piece.clamp_gap - piece.high_depth
+    left = each_pick(by_hill, piece.far_gap - distance, distance - clamp_turn)
+    if basin.passes:
+        half_width = (turn + depth + (far_well.angle - well.angle)) / 2
+    else:
+        half_width = (turn + depth) / 2
+    far_moment = each_pick(by_hill, slope_each(eta, far, -distance), slope_each(eta, far_well, distance)) * -1
+    far_moment = np.maximum(far_moment, 4 * epsilon() * distance)
+    if piece.high_kind == "turn":
+        left = np.maximum(beyond_clamp_each(eta, piece, drop, left), 0)
+    return half_width, left, far_moment, each_pick(by_hill, distance, down - distance)
+
+
+def unevenness_each(eta, middle, sine, near, far):
+    """√far − √near: by the roots where they are apart, else by far − near = 2η sin 2(middle − α) sin(half_width)."""
+    by_turns = 2 * eta * np.sin(2 * (middle - 0.5 * pi)) * sine / (np.sqrt(near) + np.sqrt(far))
+    apart = (8 * near < far) | (8 * far < near) | (near + far < 2 * eta * sine)
+    return each_pick(apart, np.sqrt(far) - np.sqrt(near), by_turns)
+
+
+def wrapped_each(angle):
+    """The angle less whole turns, between −π and π."""
+    return angle - 2 * pi * np.floor(angle / (2 * pi) + 0.5)
+
+
+def above_field_each(eta, basin, middle, half_width, height):
+    """``mean`` less η where they are near each other: 2(V(tip) − V)/(cos(θ − middle) − cos(half_width)) at the θ at
+    which it is least, which lies then near the ridge or the well. height: from there to the tip."""
+    shift = wrapped_each(2 * (0.5 * pi - middle))
+    offset = wrapped_each(middle + shift - basin.axis.angle)
+    # As near the ridge as rounding it is nearer still: it is there to the second order in the height.
+    offset = each_pick(np.abs(offset) < 32 * each_spacing(offset), 0, offset)
+    outer, inner = np.sin(half_width / 2), np.sin(shift / 2)
+    turn = outer * outer - inner * inner
+    return (height + fall_each(eta, basin.axis, 0, offset)) / each_pick(turn == 0, 1, turn)
+
+
+def rates_each(beta, eta, basin, tip, half_width, sine, near, far, height):
+    """dχ/dσ at the ends and in the middle of the motion."""
+    middle, cosine = tip + half_width, np.cos(half_width)
+    double = 2 * (middle - 0.5 * pi)
+    product = np.sqrt(near) * np.sqrt(far)
+    excess = -(2 * beta * np.cos(middle) * cosine + eta * np.cos(double) * (1 + cosine * cosine))
+    mean = -(2 * beta * np.cos(middle) + eta * cosine * np.cos(double))
+    # mean − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to level.
+    ahead, behind = np.sin(half_width / 2 + double / 2), np.sin(half_width / 2 - double / 2)
+    by_far, by_near = far - 2 * eta * ahead * ahead, near - 2 * eta * behind * behind
+    apart = above_field_each(eta, basin, middle, half_width, height)
+    apart = each_pick(2 * by_near > near, by_near, apart)
+    apart = each_pick(2 * by_far > far, by_far, apart)
+    apart = each_pick(mean - eta > 0.1 * eta, mean - eta, apart)
+    # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.
+    least = np.maximum(height, epsilon() ** 19) if basin.passes else epsilon() * each_pick(near < far, near, far) / 4
+    apart = np.maximum(apart, least)
+    split = sine * np.sqrt(apart * (mean + eta) / each_pick(excess < 0, product - excess, 1))
+    return np.sqrt(product / 2), each_pick(excess < 0, split, np.sqrt(product + np.maximum(excess, 0))) / 2
+
+
+class MotionEach(NamedTuple):
+    """A motion from rest at the tip through the clamp angle to rest at the far turning point, and back.
+
+    With χ from 0 at the tip to π at the far turning point, dσ = dχ/√(end² cos²χ + middle² sin²χ).
+    """
+
+    tip: float  # the tip angle, in the turn of the landscape
+    half_width: float
+    done: float  # clamp − tip
+    left: float  # far turning point − clamp
+    near_moment: float  # θ″ at the tip
+    far_moment: float  # −θ″ at the far turning point
+    near: float  # 2θ″/sin(half_width) at the tip
+    far: float  # the same at the far turning point
+    end: float
+    middle: float
+    sine: float  # sin(half_width)
+    half_cosine: float  # cos(half_width/2)
+    uneven: float  # √far − √near
+    done_sine: float  # sin(done/2)
+    left_sine: float  # sin(left/2)
+
+
+def motion_at_each(beta, eta, piece: PieceEach, place):
+    """The motion of the tip at a place of a piece: −∞ is its low end, +∞ its high end."""
+    basin = piece.basin
+    rise, drop = piece.width / (1 + np.exp(-place)), piece.width / (1 + np.exp(place))
+    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
+    upper = from_hill < depth
+    hill, well = basin.hill, basin.well
+    offset = each_pick(upper, from_hill, -depth)
+    stiffness = each_pick(upper, hill.stiffness, well.stiffness)
+    double_cosine = each_pick(upper, hill.double_cosine, well.double_cosine)
+    double_sine = each_pick(upper, hill.double_sine, well.double_sine)
+    tip = each_pick(upper, hill.angle, well.angle) + offset
+    near_moment = moment_from_rest_each(eta, stiffness, double_cosine, double_sine, offset)
+    # How far V falls from the tip to the well, or to the level of a ridge that the motion passes.
+    change = (drop + piece.level_gap if basin.passes else depth) / 2
+    height = fall_from_rest_each(eta, stiffness, double_cosine, double_sine, offset + change, change)
+    done = piece.clamp_gap + drop
+    if basin.even:
+        half_width = depth + (basin.axis.angle - well.angle)
+        left = 2 * half_width - done if piece.high_kind != "turn" else drop
+        far_moment, far_distance = near_moment, from_hill
+    else:
+        half_width, left, far_moment, far_distance = far_side_each(eta, piece, rise, drop, depth, done)
+        # Where a hill and a well nearly meet, rounding leaves nothing, or less, of a moment.
+        near_moment = np.maximum(near_moment, 4 * epsilon() * np.abs(offset))
+    # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
+    whole_turn = basin.far.quarters - hill.quarters == 4 and basin.far.extra == hill.extra
+    lack = (from_hill + far_distance) / 2 if whole_turn else pi - half_width
+    sine = np.sin(each_pick(lack < half_width, lack, half_width))
+    near, far = 2 * near_moment / sine, 2 * far_moment / sine
+    uneven = 0 if basin.even else unevenness_each(eta, tip + half_width, sine, near, far)
+    # done/2 + left/2 = half_width: near half a turn one follows from the other.
+    done_sine = np.sin(each_pick(done > pi, lack + left / 2, done / 2))
+    left_sine = np.sin(each_pick(left > pi, lack + done / 2, left / 2))
+    half_cosine = np.sin(lack / 2)
+    end, middle = rates_each(beta, eta, basin, tip, half_width, sine, near, far, height)
+    return MotionEach(
+        tip,
+        half_width,
+        done,
+        left,
+        near_moment,
+        far_moment,
+        near,
+        far,
+        end,
+        middle,
+        sine,
+        half_cosine,
+        uneven,
+        done_sine,
+        left_sine,
+    )
+
+
+class PhaseEach(NamedTuple):
+    """Where on its half-swing the motion meets the clamp.
+
+    The length from the tip is ∫dψ/√(a² cos²ψ + b² sin²ψ) from 0 to ψ, with a and b half of ``end`` and ``middle``; the
+    half-swing ends at ψ = π/2. whole, delta: what the speed there follows from.
+    """
+
+    square: float  # sin²ψ
+    rest: float  # cos²ψ
+    whole: float
+    delta: float
+
+
+def phase_of_each(motion):
+    """The phase of the clamp: χ by the half-angle sines, and ψ by χ."""
+    near, far, end = np.sqrt(motion.near), np.sqrt(motion.far), motion.end
+    done, left = motion.done_sine, motion.left_sine
+    whole = phase_sum_each(near, far, done, left)
+    gap = np.sin((motion.left - motion.done) / 4)
+    behind, ahead = far * done / whole, near * left / whole
+    lead = phase_lead_each(near, motion.half_cosine, motion.uneven, done, gap) / whole
+    cosine = each_pick(np.abs(ahead - behind) > 0.8, ahead - behind, lead)
+    # Not zero: at the tip itself the motion has no point by ℘.
+    square = np.maximum(chi_square_each(behind, ahead), epsilon() ** 19)
+    size, first = np.abs(cosine), cosine >= 0
+    delta = np.hypot(end * cosine, motion.middle * np.sqrt(square))
+    half = each_pick(first, half_square_each(end, square, size, delta), half_square_beyond_each(end, size, delta))
+    rest = each_pick(
+        first, half_rest_each(end, size, delta), half_rest_beyond_each(end, motion.middle, square, size, delta)
+    )
+    return PhaseEach(half, rest, whole, delta)
+
+
+def rough_times(rods, piece, place):
+    """Half-swing and first arrival, to the square of a thousandth or the rounding of the numbers given."""
+    motion = motion_at_each(rods.beta, rods.eta, piece, place)
+    phase = phase_of_each(motion)
+    a, b, square, rest = motion.end / 2, motion.middle / 2, phase.square, phase.rest
+    more = True
+    while more:
+        more = (np.abs(a - b) > 0.001 * a).any()
+        delta = np.sqrt(a * a * rest + b * b * square)
+        total, below = a + b, a + delta
+        ratio = total / below
+        inner = a + (a * a + b * b * square) / (delta + b * square)
+        square, rest = ratio * ratio * square, 2 * a / below * rest * (inner / below)
+        a, b = total / 2, np.sqrt(a * b)
+    mean = (a + b) / 2
+    return pi / 2 / mean, np.arctan2(np.sqrt(square), np.sqrt(rest)) / mean
+
+
+def end_count(piece, sign, length, swing):
+    """The count at the high end itself, where it is known: arrival at once, or after the whole half-swing."""
+    if piece.high_kind == "clamp":
+        return np.where((piece.clamp_gap == 0) & (piece.high_depth > 0), length / (2 * swing), np.nan)
+    if piece.high_kind == "turn":
+        return (length - sign * swing) / (2 * swing)
+    return None
+
+
+class Brackets(NamedTuple):
+    """Crossings to be found: the range, by its number in the group, the branch, and places on either side."""
+
+    range: Any
+    turns: Any
+    sign: Any
+    left: Any
+    right: Any
+
+
+def joined(records):
+    """Records of arrays, one after another; what all rods share is taken from the first."""
+    first = records[0]
+    if isinstance(first, np.ndarray):
+        return np.concatenate(records)
+    if isinstance(first, tuple):
+        parts = [joined(list(column)) for column in zip(*records, strict=True)]
+        return type(first)(*parts) if hasattr(first, "_fields") else tuple(parts)
+    return first
+
+
+def extrema(group, sign, places, counts):
+    """Brackets beside the extrema that reach beyond a whole number, and the ranges where that is not sure."""
+    before, here, after = counts[:-2], counts[1:-1], counts[2:]
+    top = here > before
+    gaps = np.maximum(places[1:] - places[:-1], 1e-30)
+    share = gaps[1:] / gaps[:-1]
+    reach = np.maximum(np.abs(before - here) * share, np.abs(after - here) / share)
+    goal = np.where(top, np.ceil(here), np.floor(here))
+    near = np.where(top, goal - here, here - goal)
+    row, which = np.nonzero(((before - here) * (after - here) > 0) & (near <= reach) & (goal >= 0))
+    goal, top = goal[row, which], top[row, which]
+    left, right = places[row, which], places[row + 2, which]
+    if not row.size:
+        return Brackets(which, goal, np.full(which.shape, sign), left, right), which
+    some = rows(group, which)
+    finer = left + (right - left) * np.linspace(0, 1, 17).astype(left.dtype)[:, None]
+    swings, arrivals = rough_times(some.rods, some.piece, finer)
+    short = np.where(top, 1, -1) * (goal - (some.rods.length - sign * arrivals) / (2 * swings))
+    # Sure: well beyond, once; or so far from it that a curve that bends one way does not reach it.
+    best = short.argmin(axis=0)
+    column = np.arange(which.size)
+    inner = np.clip(best, 1, 15)
+    least, beside = short[best, column], np.maximum(short[inner - 1, column], short[inner + 1, column])
+    margin = 1e-4 * (1 + goal)
+    changes = ((short[1:] < 0) != (short[:-1] < 0)).sum(axis=0)
+    beyond = (least < -margin) & (changes == 2) & (best == inner)
+    hard = ~beyond & (2 * least <= beside + margin)
+    sure = np.flatnonzero(beyond)
+    found = Brackets(which[sure], goal[sure], np.full(sure.shape, sign), left[sure], finer[best[sure], sure])
+    other = found._replace(left=found.right, right=right[sure])
+    return joined([found, other]), which[hard]
+
+
+def crossed(group, sign, places, swings, arrivals, capped, most):
+    """Brackets of the whole numbers that the count of one branch crosses, and the ranges that are doubtful."""
+    length = group.rods.length
+    counts = (length - sign * arrivals) / (2 * swings)
+    doubt = ~np.isfinite(counts).all(axis=0) | capped[0] & (counts[0] >= 1)
+    end = end_count(group.piece, sign, length, swings[-1])
+    if end is None:
+        doubt |= capped[1] & (counts[-1] >= 1)
+    else:
+        places, counts = np.concatenate([places, places[-1:] + 1]), np.concatenate([counts, end[None]])
+    low, high = np.minimum(counts[1:], counts[:-1]), np.maximum(counts[1:], counts[:-1])
+    low, high = np.maximum(np.ceil(low), 0), np.maximum(np.ceil(high), 0)
+    if end is not None:
+        # What lies deeper than the samples, towards the end itself.
+        doubt |= high[-1] > low[-1]
+        low, high = low[:-1], high[:-1]
+    row, which = np.nonzero(high > low)
+    number = (high[row, which] - low[row, which]).astype(int)
+    lowest = np.repeat(low[row, which], number)
+    turns = lowest + np.arange(number.sum()) - np.repeat(number.cumsum() - number, number)
+    row, which = np.repeat(row, number), np.repeat(which, number)
+    found = Brackets(which, turns, np.full(which.shape, sign), places[row, which], places[row + 1, which])
+    beside, hard = extrema(group, sign, places, counts)
+    found = joined([found, beside])
+    wanted = (found.turns > 0) | (sign > 0)
+    wanted &= 2 * found.turns - (sign < 0) <= most
+    return rows(found, wanted), np.concatenate([np.flatnonzero(doubt), hard])
+
+
+def bracketed(group, kind, most):
+    """Brackets of all crossings of a group, and the ranges that are doubtful."""
+    first, last = ends(group.rods, group.piece)
+    capped = [first < -ROUGH_DEPTH, last > ROUGH_DEPTH] if kind is np.float32 else [first < -600, last > 600]
+    deepest = ROUGH_DEPTH if kind is np.float32 else 600.0
+    first, last = np.maximum(first, -deepest), np.minimum(last, deepest)
+    below, above = spaced(-first.min()), spaced(last.max())
+    more = 0 if group.dip is None else AROUND.size
+    size = max(SAMPLES // (len(below) + len(above) + more), 1)
+    parts, doubts = [], []
+    for start in range(0, first.size, size):
+        here = slice(start, start + size)
+        some, edge = rounded_to(rows(group, here), kind), (first[here], last[here])
+        places = np.concatenate([edge[0] * below[:0:-1, None], edge[1] * above[:, None]])
+        if some.dip is not None:
+            closer = np.clip(some.dip + AROUND[:, None], edge[0], edge[1])
+            places = np.sort(np.concatenate([places, closer]), axis=0)
+        places = places.astype(kind)
+        swings, arrivals = rough_times(some.rods, some.piece, places)
+        deep = capped[0][here], capped[1][here]
+        for sign in (1, -1):
+            found, doubt = crossed(some, sign, places, swings, arrivals, deep, most)
+            parts.append(found._replace(range=found.range + start))
+            doubts.append(doubt + start)
+    return joined(parts), np.concatenate(doubts)
+
+
+def surplus(swing, arrival, brackets, length):
+    """The length of a branch less the rod's."""
+    return 2 * brackets.turns * swing + brackets.sign * arrival - length
+
+
+def inverse_quadratic(a, b, c, value_a, value_b, value_c):
+    """Where on the way from a to b inverse quadratic interpolation puts the zero, or half way where it is unsafe."""
+    x, y = (a - b) / (c - b), (value_a - value_b) / (value_c - value_b)
+    share = value_a / (value_b - value_a) * value_c / (value_b - value_c)
+    share = share + (c - a) / (b - a) * value_a / (value_c - value_a) * value_b / (value_c - value_b)
+    return np.where((y * y < x) & ((1 - y) * (1 - y) < 1 - x) & (share > 0) & (share < 1), share, a.dtype.type(0.5))
+
+
+def approached(group, brackets):
+    """Rough crossings by Chandrupatla's method (1997): places, the slope of the branch there, whether there is one."""
+    kind = brackets.left.dtype
+    brackets = brackets._replace(turns=brackets.turns.astype(kind), sign=brackets.sign.astype(kind))
+    length = group.rods.length
+
+    def function(place):
+        swing, arrival = rough_times(group.rods, group.piece, place)
+        return surplus(swing, arrival, brackets, length)
+
+    a, b = brackets.left, brackets.right
+    value_a, value_b = function(a), function(b)
+    good = (value_a > 0) != (value_b > 0)
+    rising = value_b > value_a
+    fraction = np.full(a.shape, 0.5, dtype=kind)
+    secant = value_a / (value_a - value_b)
+    inside = (secant > 0.05) & (secant < 0.95)
+    fraction[inside] = secant[inside]
+    for _ in range(6):
+        trial = a + fraction * (b - a)
+        value = function(trial)
+        same = (value > 0) == (value_a > 0)
+        c, value_c = np.where(same, a, b), np.where(same, value_a, value_b)
+        b, value_b = np.where(same, b, a), np.where(same, value_b, value_a)
+        a, value_a = trial, value
+        fraction = inverse_quadratic(a, b, c, value_a, value_b, value_c)
+    place = np.where(np.abs(value_a) < np.abs(value_b), a, b)
+    # Points nearer than this would tell the slope by their rounding.
+    slope = (function(place + SPREAD) - function(place - SPREAD)) / (2 * SPREAD)
+    return place, slope, good, rising
+
+
+def lengths_each(a, b, square, rest):
+    """The complete and the incomplete integral of 1/√(a² cos²ψ + b² sin²ψ), by sin²ψ and cos²ψ.
+
+    Gauss's transformation makes a and b equal (DLMF 19.8(i), 19.8(iii)); it is written in sums of positive terms only.
+    """
+    limit, more = 2 * epsilon() ** 0.5, np.any(a > 0)
+    while more:
+        more = np.any(np.abs(a - b) > limit * a)
+        delta = phase_rate_each(a, b, square, rest)
+        total, below = a + b, a + delta
+        square, rest = gauss_square_each(square, total, below), gauss_rest_each(a, b, square, rest, delta, below)
+        a, b = total / 2, np.sqrt(a * b)
+    mean = (a + b) / 2
+    return pi / (2 * mean), np.arctan2(np.sqrt(square), np.sqrt(rest)) / mean
+
+
+class Found(NamedTuple):
+    """Tips: the range, place and branch, whether it grows with the tip, the motion with its phase and its times."""
+
+    range: Any
+    place: Any
+    turns: Any
+    sign: Any
+    rising: Any
+    motion: Any
+    phase: Any
+    swing: Any
+    arrival: Any
+
+
+def lost_ranges(brackets, parts):
+    """The ranges of which not every crossing has been found."""
+    wanted = np.bincount(brackets.range)
+    return np.flatnonzero(wanted != np.bincount(np.concatenate([part.range for part in parts]), minlength=wanted.size))
+
+
+def polished(group, brackets, kind):
+    """The crossings to rounding, by secants from the rough ones, and the ranges in which one is not found so."""
+    rough = rounded_to(rows(group, brackets.range), kind)
+    place, slope, good, rising = approached(rough, brackets)
+    some = rows(group, brackets.range)
+    place, slope, length = place.astype(float), slope.astype(float), some.rods.length
+    least, most = np.minimum(brackets.left, brackets.right) - 0.01, np.maximum(brackets.left, brackets.right) + 0.01
+    todo = np.flatnonzero(good)
+    value, before = np.full(place.shape, np.nan), place.copy()
+    parts = []
+    for turn in range(8):
+        here = rows(some, todo)
+        motion = motion_at_each(here.rods.beta, here.rods.eta, here.piece, place[todo])
+        phase = phase_of_each(motion)
+        swing, arrival = lengths_each(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
+        now = surplus(swing, arrival, rows(brackets, todo), length[todo])
+        if turn:
+            change = place[todo] - before[todo]
+            slope[todo] = np.where(change == 0, slope[todo], (now - value[todo]) / np.where(change == 0, 1, change))
+        step = now / slope[todo]
+        close = np.abs(step) <= 4 * epsilon() * (1 + np.abs(place[todo]))
+        close |= np.abs(now) <= 4 * epsilon() * length[todo]
+        done = todo[close]
+        state = rows((motion, phase, swing, arrival), close)
+        branch = rows(brackets, done)
+        parts.append(
+            Found(
+                branch.range,
+                place[done],
+                branch.turns,
+                branch.sign,
+                rising[done],
+                state[0],
+                state[1],
+                state[2],
+                state[3],
+            )
+        )
+        value[todo], before[todo] = now, place[todo]
+        place[todo] -= step
+        todo = todo[~close & (place[todo] >= least[todo]) & (place[todo] <= most[todo])]
+        if not todo.size:
+            break
+    return joined(parts), lost_ranges(brackets, parts)
+
+
+def tips(group, most):
+    """The tips of a group, a list of Found, and the ranges left to the scalar solver."""
+    rough = group.rods.slow < ROUGH_SLOW
+    found, doubtful = [], []
+    for mask, kind in ((rough, np.float32), (~rough, float)):
+        which = np.flatnonzero(mask)
+        if which.size:
+            part = rows(group, which)
+            brackets, doubts = bracketed(part, kind, most)
+            tip, lost = polished(part, brackets, kind)
+            found.append(tip._replace(range=which[tip.range]))
+            doubtful += [which[doubts], which[lost]]
+    return found, np.concatenate(doubtful)
+
+
+def index_each(found):
+    """``index_of`` on arrays."""
+    swings = 2 * found.turns - (found.sign < 0)
+    positive = found.rising != (found.sign > 0)
+    return np.where(positive == (swings % 2 == 0), swings, swings + 1).astype(int)
+
+
+class PointEach(NamedTuple):
+    """A point of a motion by ℘ − c = x and ℘ − e at its three half-period values.
+
+    one: ℘ − e₁, with e₁ that of the far turning point. product, root_sum: √(℘ − e₂)√(℘ − e₃) and √(℘ − e₂) + √(℘ − e₃),
+    real also where e₂ and e₃ are a complex pair.
+    """
+
+    strength: float  # b
+    pole: float  # x
+    one: float
+    product: float
+    root_sum: float
+
+
+def clamp_point_each(motion, phase):
+    """The point where the motion meets the clamp."""
+    b, done = strength_each(motion.near_moment), motion.done_sine
+    one = point_near_each(b, motion.sine, done, motion.left_sine)
+    product = pair_root_each(np.sqrt(motion.near), done, phase.whole, phase.delta / motion.end)
+    delta = phase_rate_each(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
+    # 2Δ/sin ψ is no less than ``middle``, the square of which may underflow.
+    root_sum = np.maximum(pair_root_sum_each(phase.square, delta), motion.middle)
+    return PointEach(b, point_pole_each(b, done, np.cos(motion.done / 2)), one, product, root_sum)
+
+
+def rj_pair_each(x, product, root_sum, p, lift, less, twist):
+    """R_J(x, y, z, p) by duplication, for x ≥ 0, complex p, and y and z by √y√z and √y + √z.
+
+    lift, less, twist: p + √y√z, p − x and (p − x)(p − y)(p − z), which the rod gives without cancellation. Sums of
+    positive terms only in x, y, z. Where √p and −√y are near each other, their sum follows from their difference.
+    """
+    pair = root_sum * root_sum - 2 * product
+    mean = start = (x + pair + 2 * p) / 5
+    one, two = start - x, 2 * start - pair
+    both = start * start - start * pair + product * product
+    reach = np.abs(one) + np.abs(start - p) + np.sqrt(np.abs(both))
+    target = (epsilon() / 4) ** 0.125
+    scale, total = 1, 0
+    while np.any(reach > target * scale * np.abs(mean)):
+        root, root_p = np.sqrt(x), np.sqrt(p)
+        side, across = root_p * root_sum, root * root_sum
+        plus, minus = lift + side, lift - side
+        cancels = (np.abs(plus) < np.abs(minus)) & (scale == 1)
+        d = (root_p + root) * each_pick(cancels, twist / (less * each_pick(cancels, minus, 1)), plus)
+        raised, lifted = (lift + across, np.sqrt(x + product + across))
+        end = 2 * root_p * raised / d
+        total = total + each_arctan_share(twist / (scale * scale * scale * d * d), end) / (scale * d)
+        pair = root_sum * (root_sum + 2 * root) / 4
+        x, p = (x + product + across) / 4, raised / 4
+        product, root_sum = root_sum * lifted / 4, np.sqrt(root_sum * (root_sum + 2 * root + 2 * lifted)) / 2
+        lift, mean = p + product, (x + pair + 2 * p) / 5
+        scale *= 4
+    size = scale * mean
+    a, b, c = one / size, two / size, both / (size * size)
+    d = -(a + b) / 2
+    e2 = a * b + c - 3 * d * d
+    e3 = a * c + 2 * e2 * d + 4 * d * d * d
+    e4 = (2 * a * c + e2 * d + 3 * d * d * d) * d
+    e5 = a * c * d * d
+    low = -3 * e2 / 14 + e3 / 6 + 9 * e2 * e2 / 88 - 3 * e4 / 22 - 9 * e2 * e3 / 52 + 3 * e5 / 26
+    high = -e2 * e2 * e2 / 16 + 3 * e3 * e3 / 40 + 3 * e2 * e4 / 20 + 45 * e2 * e2 * e3 / 272
+    high = high - 9 * (e3 * e4 + e2 * e5) / 68
+    return (1 + low + high) / (scale * mean * np.sqrt(mean)) + 6 * total
+
+
+def shift_each(eta, double_sine, double_cosine, motion, point, root, square, rest):
+    """W as real and imaginary part: ∫e^{iθ} from the tip is e^{iφ}(σ + W)."""
+    b, near, far = point.strength, np.sqrt(motion.near), np.sqrt(motion.far)
+    twist = each_complex_of(rj_delta_real_each(eta, b, double_cosine), rj_delta_imag_each(eta, b, double_sine))
+    lift = pair_lift_each(near, far, motion.uneven, motion.half_cosine, square, rest)
+    pole, lifted, less = each_complex_of(point.pole, -b), each_complex_of(lift, -b), each_complex_of(root, -b)
+    third = rj_pair_each(point.one, point.product, point.root_sum, pole, lifted, less, twist)
+    return w_real_each(b, third.imag), w_imag_each(b, third.real)
+
+
+def kink_at_each(first, second, point, root, q, m, square, rest):
+    """The part of η∫cos²(θ − α) without integral; towards the tip its terms are large and cancel in the first form."""
+    b, x, product = point.strength, point.pole, point.product
+    delta = np.maximum(phase_rate_each(first, second, square, rest), second * np.sqrt(square))
+    across, near_root = np.sqrt(square * rest), np.sqrt(point.one)
+    others = others_sum_each(q, root)
+    gap = pole_gap_each(x, np.abs(x), others, others_product_each(b, m, root, others), product)
+    far = arc_kink_each(square, delta, across, b, x, near_root, product)
+    return each_pick(x > 1, arc_kink_tip_each(first, second, delta, across, b, x, near_root, gap), far)
+
+
+def second_kind_each(a, b, square, rest, arrival):
+    """(b² − a²)∫sin²ψ over the same range as ``arrival``, the length, by the same transformation (DLMF 19.8.19)."""
+    limit, more, weight, growth = 2 * epsilon() ** 0.5, np.any(a > 0), 1, 0
+    while more:
+        more = np.any(np.abs(a - b) > limit * a)
+        delta = phase_rate_each(a, b, square, rest)
+        growth = growth - weight * second_kind_step_each(a, b, square, rest, delta, arrival)
+        total, below = a + b, a + delta
+        square, rest = gauss_square_each(square, total, below), gauss_rest_each(a, b, square, rest, delta, below)
+        a, b, weight = total / 2, np.sqrt(a * b), 2 * weight
+    return growth
+
+
+class ArcEach(NamedTuple):
+    """A stretch of rod from the tip: ∫cos θ, ∫sin θ and η∫cos²(θ − α)."""
+
+    y: float
+    z: float
+    square: float
+
+
+def arc_to_each(beta, eta, motion, point, square, rest, extent):
+    """The arc from the tip to a point, at ψ, of the given length."""
+    sine, cosine, lean = np.sin(motion.tip), np.cos(motion.tip), motion.tip - 0.5 * pi
+    double_sine, double_cosine = np.sin(2 * lean), np.cos(2 * lean)
+    root = far_root_each(motion.near, np.cos(motion.half_width))
+    w_re, w_im = shift_each(eta, double_sine, double_cosine, motion, point, root, square, rest)
+    y, z = arc_y_each(sine, cosine, extent, w_re, w_im), arc_z_each(sine, cosine, extent, w_re, w_im)
+    first, second = motion.end / 2, motion.middle / 2
+    q, m = rest_stiffness_each(beta, eta, cosine, double_cosine), tip_cubic_each(beta, eta, sine, double_sine)
+    kink = kink_at_each(first, second, point, root, q, m, square, rest)
+    growth = second_kind_each(first, second, square, rest, extent)
+    return ArcEach(y, z, arc_square_each(beta, eta, cosine, np.cos(lean), first, root, extent, y, kink, growth))
+
+
+def far_point_each(motion):
+    """The far turning point."""
+    b = strength_each(motion.near_moment)
+    pole = point_pole_each(b, motion.sine, np.cos(motion.half_width))
+    return PointEach(b, pole, 0, far_pair_root_each(motion.end), motion.middle)
+
+
+def positions(rods, found):
+    """∫cos θ, ∫sin θ and η∫cos²(θ − α) along the rods; whole half-swings only for those that have any."""
+    motion, phase = found.motion, found.phase
+    beta, eta = rods.beta, rods.eta
+    point = clamp_point_each(motion, phase)
+    part = arc_to_each(beta, eta, motion, point, phase.square, phase.rest, found.arrival)
+    columns = [found.sign * column for column in part]
+    swung = np.flatnonzero(found.turns > 0)
+    if swung.size:
+        some, motion, swing, turns = rows((rods, found.motion, found.swing, found.turns), swung)
+        one, none = np.full(swung.shape, 1.0), np.zeros(swung.size)
+        far = far_point_each(motion)
+        whole = arc_to_each(some.beta, some.eta, motion, far, one, none, swing)
+        for column, change in zip(columns, whole, strict=True):
+            column[swung] += 2 * turns * change
+    return columns
+
+
+def bent(group, found, side, scale, most):
+    """The equilibria of tips on their branches."""
+    index = index_each(found)
+    wanted = np.flatnonzero(index <= most)
+    if wanted.size < index.size:
+        found, index = rows(found, wanted), index[wanted]
+    some = rows(group, found.range)
+    rods, motion, phase = some.rods, found.motion, found.phase
+    beta, eta = rods.beta, rods.eta
+    cosine, aligned = np.cos(motion.tip), np.cos(motion.tip - 0.5 * pi)
+    y, z, square = positions(rods, found)
+    speed = phase.delta * phase.whole / (motion.end * motion.sine) * np.sqrt(2 * motion.done_sine * motion.left_sine)
+    gamma = 2 * beta * cosine + eta * aligned * aligned
+    energy = gamma * rods.length / 2 - 2 * beta * y - square
+    scale = scale[rods.case]
+    return Columns(
+        rods.case,
+        side * (some.rank - LAST),
+        side * found.place,
+        side * (motion.tip + 2 * pi * some.turns),
+        -side * found.sign * np.ldexp(speed, scale),
+        np.ldexp(gamma, 2 * scale),
+        np.ldexp(y, -scale),
+        side * np.ldexp(z, -scale),
+        np.ldexp(energy, scale),
+        index,
+    )
+
+
+def straight_rods(straight, scale, most):
+    """The rods that stay straight."""
+    rods, rest, length = straight.rods, straight.rest, straight.rods.length
+    cosine, sine = np.cos(rest.extra) + 0 * length, np.sin(rest.extra) + 0 * length
+    for _ in range(rest.quarters % 4):
+        cosine, sine = -sine, cosine
+    aligned = np.cos(rest.angle - 0.5 * pi)
+    soft = -rest.stiffness
+    index = np.where(soft > 0, np.floor(length * np.sqrt(np.abs(soft)) / pi + 0.5), 0).astype(int)
+    energy = -(rods.beta * cosine + rods.eta * aligned * aligned / 2) * length
+    here = scale[rods.case]
+    extent = np.ldexp(length, -here)
+    gamma = np.ldexp(2 * rods.beta * cosine + rods.eta * aligned * aligned, 2 * here)
+    found = Columns(
+        rods.case,
+        0 * index,
+        0 * extent,
+        rods.clamp_angle,
+        0 * extent,
+        gamma,
+        cosine * extent,
+        sine * extent,
+        np.ldexp(energy, here),
+        index,
+    )
+    return rows(found, index <= most)
+
+
+def one_side(rods, side, scale, most):
+    """The equilibria with tips on one side of the clamp angle, the straight ones with the first side, and the rods
+    left to the scalar solver."""
+    found, straight, doubtful = groups(rods)
+    parts, left = [no_columns()], [doubtful]
+    for group in found:
+        tip, lost = tips(group, most)
+        left.append(group.rods.case[lost])
+        parts += [bent(group, some, side, scale, most) for some in tip]
+    if side > 0:
+        parts += [straight_rods(some, scale, most) for some in straight]
+    return joined(parts), np.concatenate(left)
+
+
+def short(found, size, most):
+    """The rods of which an equilibrium is missing: those of even and of odd index differ by one in number (the
+    degree of the equation is that of the rod without load), and the least energy has index 0."""
+    if most < np.inf:
+        return np.bincount(found.case, minlength=size) == 0
+    return np.bincount(found.case, weights=1 - 2 * (found.index % 2), minlength=size) != 1
+
+
+def at_once(beta, eta, length, clamp_angle, size, most):
+    """The equilibria on arrays, and the rods that are left to the scalar solver."""
+    case, scale = np.arange(size), np.full(size, np.frexp(beta + eta)[1] // 2)
+    force, magnet, extent = np.ldexp(beta, -2 * scale), np.ldexp(eta, -2 * scale), np.ldexp(length, scale)
+    clamp, slow = np.full(size, clamp_angle), extent * np.sqrt(force + magnet)
+    rods = Rods(case, force, magnet, extent, clamp, slow)
+    mirrored = Rods(case, force, magnet, extent, -clamp, slow)
+    good = (slow < SLOWEST) & (slow > epsilon())
+    fit = np.flatnonzero(good)
+    above, below = one_side(rows(rods, fit), 1, scale, most), one_side(rows(mirrored, fit), -1, scale, most)
+    found = joined([above[0], below[0]])
+    left = np.concatenate([np.flatnonzero(~good), above[1], below[1], np.flatnonzero(short(found, size, most))])
+    return found, np.unique(left)
+
+
+def one_by_one(beta, eta, length, clamp_angle, max_index):
+    """The equilibria of one rod by the scalar solver."""
+    found = all_equilibria(beta, eta, length, clamp_angle, max_index)
+    return Columns(
+        np.zeros(len(found), dtype=int),
+        np.arange(len(found)),
+        np.zeros(len(found)),
+        np.array([item.tip_angle for item in found], dtype=float),
+        np.array([item.clamp_curvature for item in found], dtype=float),
+        np.array([item.gamma for item in found], dtype=float),
+        np.array([item.y for item in found], dtype=float),
+        np.array([item.z for item in found], dtype=float),
+        np.array([item.energy for item in found], dtype=float),
+        np.array([item.index for item in found], dtype=int),
+    )
+
+
+def element(case, values):
+    """A parameter of one rod as a number; what is folded stays as it is."""
+    return float(values[case])
+
+
+def in_order_each(found):
+    """``in_order`` on arrays: tips that are nearer than rounding as equal, where rounding would exchange them."""
+    tip, alike = found.tip_angle, found.case[1:] == found.case[:-1]
+    wrong = alike & (tip[1:] < tip[:-1])
+    while wrong.any():
+        tip = np.concatenate([tip[:1], np.where(wrong, tip[:-1], tip[1:])])
+        wrong = alike & (tip[1:] < tip[:-1])
+    return found._replace(tip_angle=tip)
+
+
+def block(beta, eta, length, clamp_angle, size, max_index):
+    """The equilibria of one block: on arrays, and those of few rods, or where arrays leave a doubt, one by one."""
+    most = np.inf if max_index is None else max_index
+    found, lost = no_columns(), np.arange(size)
+    if size >= FEWEST:
+        with np.errstate(all="ignore"):
+            found, lost = at_once(beta, eta, length, clamp_angle, size, most)
+    if lost.size:
+        parts = [rows(found, ~np.isin(found.case, lost))]
+        for case in lost.tolist():
+            one = one_by_one(
+                element(case, beta), element(case, eta), element(case, length), element(case, clamp_angle), max_index
+            )
+            parts.append(one._replace(case=one.case + case))
+        found = joined(parts)
+    return in_order_each(rows(found, np.lexsort((found.place, found.rank, found.case))))
+
+
+def slab(grid, which, values):
+    """Some of a parameter's values, by a slice of their flat numbers in the grid; what is folded stays as it is."""
+    return np.broadcast_to(values, grid).flat[which]
+
+
+def sweep_arrays(beta, eta, length, clamp_angle, grid, max_index):
+    """Every equilibrium of every rod, sorted by rod and then by tip angle; all arguments broadcast to ``grid``.
+
+    max_index: the largest index wanted, or None for all. The memory needed besides the result is that of one block.
+    """
+    number, parts = prod(grid), [no_columns()]
+    for start in range(0, number, BLOCK):
+        which = slice(start, min(start + BLOCK, number))
+        found = block(
+            slab(grid, which, beta),
+            slab(grid, which, eta),
+            slab(grid, which, length),
+            slab(grid, which, clamp_angle),
+            which.stop - start,
+            max_index,
+        )
+        parts.append(found._replace(case=found.case + start))
+    return joined(parts)
 
 
 def steps(beta, soonest, length, low, high):
@@ -3061,7 +4833,8 @@ def pitchforks(beta, length, clamp_angle, scale, places):
     come in pairs. Near it u″ = (B + C)u − (B + 4C)u³/6 + (B + 16C)u⁵/120 with B = β cos θ₀, C = η cos 2(θ₀ − α): the
     signs say whether the half-swing grows with the amplitude.
     """
-    rests = [straight_at(beta, eta, clamp_angle) for eta in (places[0], places[len(places) // 2], places[-1])]
+    some = places[0], places[len(places) // 2], places[-1]
+    rests = [straight_at(beta, eta, clamp_angle) for eta in some]
     if any(rest is None for rest in rests):
         return []
     cosine, sine = direction(rests[-1])
@@ -3268,18 +5041,19 @@ def sweep(beta, eta, length, clamp_angle, *, max_index=None) -> Sweep:
 
     Raises TypeError or ValueError, naming the argument and the flat index of a bad value, before any work.
     """
-    given, limit = many_rods(beta, eta, length, clamp_angle), index_limit(max_index)
-    rods = list(zip(*(part.tolist() for part in given), strict=True))
-    found = [(case, item) for case, rod in enumerate(rods) for item in equilibria(*rod, max_index=limit)]
+    beta, eta, length = all_not_negative("beta", beta), all_not_negative("eta", eta), all_positive("length", length)
+    clamp_angle = all_real("clamp_angle", clamp_angle)
+    grid, limit = common_shape(Given(beta, eta, length, clamp_angle)), index_limit(max_index)
+    found = sweep_arrays(beta, eta, length, clamp_angle, grid, limit)
     return Sweep(
-        np.array([case for case, _ in found], dtype=int),
-        np.array([item.tip_angle for _, item in found], dtype=float),
-        np.array([item.clamp_curvature for _, item in found], dtype=float),
-        np.array([item.gamma for _, item in found], dtype=float),
-        np.array([item.y for _, item in found], dtype=float),
-        np.array([item.z for _, item in found], dtype=float),
-        np.array([item.energy for _, item in found], dtype=float),
-        np.array([item.index for _, item in found], dtype=int),
+        found.case,
+        found.tip_angle,
+        found.clamp_curvature,
+        found.gamma,
+        found.y,
+        found.z,
+        found.energy,
+        found.index,
     )
 
 

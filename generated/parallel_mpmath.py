@@ -18,7 +18,7 @@ Formulas, each proved equal to its derivation:
     second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic, turn_level, turn_over (DLMF 4.21(iii)),
     turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
     w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 a2847822689d9e517a2acc7bafb1aff5cb29eff29832770743af3288262a4be3
+Digest of the inputs: sha256 af2de1b743365e90c2a82e30fa0fd25ec763ecf1dc554ceb6f778554faf51540
 """
 
 from __future__ import annotations
@@ -1255,10 +1255,10 @@ def wrapped(angle):
     return angle - 2 * pi * floor(angle / (2 * pi) + 0.5)
 
 
-def above_field(eta, basin, middle, half_width, field_angle, height):
+def above_field(eta, basin, middle, half_width, height):
     """``mean`` less η where they are near each other: 2(V(tip) − V)/(cos(θ − middle) − cos(half_width)) at the θ at
     which it is least, which lies then near the ridge or the well. height: from there to the tip."""
-    shift = wrapped(2 * (field_angle - middle))
+    shift = wrapped(2 * -middle)
     offset = wrapped(middle + shift - basin.axis.angle)
     # As near the ridge as rounding it is nearer still: it is there to the second order in the height.
     offset = pick(abs(offset) < 32 * spacing(offset), 0, offset)
@@ -1267,17 +1267,17 @@ def above_field(eta, basin, middle, half_width, field_angle, height):
     return (height + fall(eta, basin.axis, 0, offset)) / pick(turn == 0, 1, turn)
 
 
-def rates(beta, eta, field_angle, basin, tip, half_width, sine, near, far, height):
+def rates(beta, eta, basin, tip, half_width, sine, near, far, height):
     """dχ/dσ at the ends and in the middle of the motion."""
     middle, cosine = tip + half_width, cos(half_width)
-    double = 2 * (middle - field_angle)
+    double = 2 * middle
     product = sqrt(near) * sqrt(far)
     excess = -(2 * beta * cos(middle) * cosine + eta * cos(double) * (1 + cosine * cosine))
     mean = -(2 * beta * cos(middle) + eta * cosine * cos(double))
     # mean − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to level.
     ahead, behind = sin(half_width / 2 + double / 2), sin(half_width / 2 - double / 2)
     by_far, by_near = far - 2 * eta * ahead * ahead, near - 2 * eta * behind * behind
-    apart = above_field(eta, basin, middle, half_width, field_angle, height)
+    apart = above_field(eta, basin, middle, half_width, height)
     apart = pick(2 * by_near > near, by_near, apart)
     apart = pick(2 * by_far > far, by_far, apart)
     apart = pick(mean - eta > mpf("0.1") * eta, mean - eta, apart)
@@ -1325,7 +1325,7 @@ def motion_at(beta, eta, piece: Piece, place):
     done_sine = sin(pick(done > pi, lack + left / 2, done / 2))
     left_sine = sin(pick(left > pi, lack + done / 2, left / 2))
     half_cosine = sin(lack / 2)
-    end, middle = rates(beta, eta, mpf(0), basin, tip, half_width, sine, near, far, height)
+    end, middle = rates(beta, eta, basin, tip, half_width, sine, near, far, height)
     return Motion(
         tip,
         half_width,
@@ -1486,21 +1486,20 @@ def twist(eta, x):
     return eta * sin(x) * cos(x)
 
 
-def ridge_couple(beta, eta, field_angle):
+def ridge_couple(eta):
     """The couple on a rod that points along α + π + x."""
-    return twist(eta, mpf(0)) - beta * sin(field_angle)
+    return twist(eta, mpf(0))
 
 
-def places(beta, eta, field_angle, length, piece):
+def places(beta, eta, length, piece):
     """Places to begin with, closer around the level at which the motion meets a ridge that is not quite there."""
     found, basin = grid(beta, eta, length, piece), piece.basin
     if basin.even or basin.passes or piece.low_kind == "level" or basin.far.quarters - basin.hill.quarters != 4:
         return found
-    angle = abs(field_angle)
-    cusp = angle + pi
+    cusp = pi
     # How far η is below the value at which the ridge would appear.
-    missing = max(-ridge_couple(beta, eta, angle) / (beta + eta), epsilon())
-    cusp = cusp if field_angle > 0 else 2 * pi - cusp
+    missing = max(-ridge_couple(eta) / (beta + eta), epsilon())
+    cusp = 2 * pi - cusp
     down = basin.well.angle - basin.hill.angle
     rise = reach(eta, basin.hill, fall(eta, basin.hill, 0, cusp - basin.hill.angle), down, 1)
     if missing > mpf("0.3") or not 0 < rise < piece.width:
@@ -1553,8 +1552,9 @@ def at_extremum(sample, triple, counts, length, sign):
     left, middle, right = triple
     before, here, after = counts
     top = here > before
-    # The steeper neighbouring slopes, carried on, bound an extremum of a curve that bends one way.
-    reachable = here + (1 if top else -1) * max(abs(before - here), abs(after - here))
+    # The slope on either side, carried on over the other one, bounds an extremum of a curve that bends one way.
+    share = (right.place - middle.place) / (middle.place - left.place)
+    reachable = here + (1 if top else -1) * max(abs(before - here) * share, abs(after - here) / share)
     goal = ceil(here) if top else floor(here)
     if (top and (goal > reachable or here == goal)) or (not top and goal < reachable) or goal < 0:
         return []
@@ -1653,7 +1653,7 @@ def crossings(beta, eta, length, piece, most):
 
     # No half-swing is shorter than that of the stiffest pendulum.
     signs = (1,) if length * sqrt(beta + eta) < pi else (1, -1)
-    samples = refined(sample, [sample(place) for place in places(beta, eta, mpf(0), length, piece)], length)
+    samples = refined(sample, [sample(place) for place in places(beta, eta, length, piece)], length)
     end = end_sample(piece, samples[-1])
     if end is not None:
         samples.append(end)
@@ -2036,7 +2036,7 @@ def all_real(name, values):
 
 
 class Given(NamedTuple):
-    """The parameters of many rods, as arrays of one length."""
+    """The parameters of many rods: numbers or arrays."""
 
     beta: Any
     eta: Any
@@ -2601,7 +2601,8 @@ def pitchforks(beta, length, clamp_angle, scale, places):
     come in pairs. Near it u″ = (B + C)u − (B + 4C)u³/6 + (B + 16C)u⁵/120 with B = β cos θ₀, C = η cos 2(θ₀ − α): the
     signs say whether the half-swing grows with the amplitude.
     """
-    rests = [straight_at(beta, eta, clamp_angle) for eta in (places[0], places[len(places) // 2], places[-1])]
+    some = places[0], places[len(places) // 2], places[-1]
+    rests = [straight_at(beta, eta, clamp_angle) for eta in some]
     if any(rest is None for rest in rests):
         return []
     cosine, sine = direction(rests[-1])

@@ -14,7 +14,7 @@ Formulas, each proved equal to its derivation:
     point_pole (exsl22), pole_gap, rest_fall, rest_moment, rest_stiffness, rj_delta_imag (DLMF 19.26(iii)),
     rj_delta_real (DLMF 19.26(iii)), second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic,
     w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 8b5c6368dab9889da00e11cf7a2b51fae071fab569a3f43a507639469bfc9848
+Digest of the inputs: sha256 058c3553826cd1971c184b0fef518635fd38c55d156b5a7734f81abbe79a43ce
 """
 
 from __future__ import annotations
@@ -1369,8 +1369,9 @@ def at_extremum(sample, triple, counts, length, sign):
     left, middle, right = triple
     before, here, after = counts
     top = here > before
-    # The steeper neighbouring slopes, carried on, bound an extremum of a curve that bends one way.
-    reachable = here + (1 if top else -1) * max(abs(before - here), abs(after - here))
+    # The slope on either side, carried on over the other one, bounds an extremum of a curve that bends one way.
+    share = (right.place - middle.place) / (middle.place - left.place)
+    reachable = here + (1 if top else -1) * max(abs(before - here) * share, abs(after - here) / share)
     goal = ceil(here) if top else floor(here)
     if (top and (goal > reachable or here == goal)) or (not top and goal < reachable) or goal < 0:
         return []
@@ -1739,7 +1740,7 @@ def index_limit(max_index):
 
 
 class Given(NamedTuple):
-    """The parameters of many rods, as arrays of one length."""
+    """The parameters of many rods: numbers or arrays."""
 
     beta: Any
     eta: Any
