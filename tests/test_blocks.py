@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import pi
+from typing import Any
 
 import numpy as np
 import pytest
@@ -22,8 +24,10 @@ LONG_RODS = [
 FIELDS = ("tip_angle", "clamp_curvature", "gamma", "y", "z", "energy", "index")
 
 
-def sweep_arrays(beta, eta, length, clamp, field, most):
-    return sweep_grid(beta, eta, length, clamp, field, beta.shape, most)
+def sweep_arrays(rods: Sequence[np.ndarray], most: int | None = None) -> Columns:
+    """The sweep over rods whose parameters are arrays of one length."""
+    beta, eta, length, clamp_angle, field_angle = rods
+    return sweep_grid(beta, eta, length, clamp_angle, field_angle, beta.shape, most)
 
 
 def random_rods(scene: str, seed: int, count: int = RODS) -> list[np.ndarray]:
@@ -62,7 +66,7 @@ def assert_alike(ours: np.ndarray, theirs: np.ndarray, length: float) -> None:
 @pytest.mark.parametrize("scene", ["force", "field", "parallel", "orthogonal", "oblique"])
 def test_same_equilibria_as_the_scalar_solver(scene: str) -> None:
     rods = random_rods(scene, 7)
-    table = sweep_arrays(*rods, None)
+    table = sweep_arrays(rods)
     assert table.case.size > RODS
     for case in range(RODS):
         assert_alike(table_rows(table, case), scalar_rows(rods, case), rods[2][case])
@@ -70,15 +74,15 @@ def test_same_equilibria_as_the_scalar_solver(scene: str) -> None:
 
 def test_only_the_indices_asked_for() -> None:
     rods = random_rods("oblique", 8)
-    everything, stable = sweep_arrays(*rods, None), sweep_arrays(*rods, 0)
+    everything, stable = sweep_arrays(rods), sweep_arrays(rods, 0)
     assert np.array_equal(stable.tip_angle, everything.tip_angle[everything.index == 0])
 
 
 def test_blocks_do_not_change_the_result(monkeypatch: pytest.MonkeyPatch) -> None:
     rods = random_rods("parallel", 9)
-    whole = sweep_arrays(*rods, None)
+    whole = sweep_arrays(rods)
     monkeypatch.setattr(blocks, "BLOCK", 7)
-    parts = sweep_arrays(*rods, None)
+    parts = sweep_arrays(rods)
     assert np.array_equal(whole.case, parts.case)
     assert np.allclose(whole.tip_angle, parts.tip_angle, rtol=1e-12, atol=1e-12)
 
@@ -86,14 +90,14 @@ def test_blocks_do_not_change_the_result(monkeypatch: pytest.MonkeyPatch) -> Non
 def test_every_rod_with_its_own_field_angle() -> None:
     rods = random_rods("oblique", 10, 6)
     rods[4] = np.linspace(-1, 1, 6)
-    table = sweep_arrays(*rods, None)
+    table = sweep_arrays(rods)
     for case in range(6):
         assert_alike(table_rows(table, case), scalar_rows(rods, case), rods[2][case])
 
 
 def test_rods_on_which_nothing_acts_and_very_long_ones() -> None:
     rods = [np.array(column) for column in ([0.0, 0.0], [0.0, 1.0], [2.0, 300.0], [1.0, 2.0], [0.0, 0.0])]
-    table = sweep_arrays(*rods, 1)
+    table = sweep_arrays(rods, 1)
     for case in range(2):
         assert_alike(table_rows(table, case), scalar_rows(rods, case, 1), rods[2][case])
 
@@ -101,14 +105,19 @@ def test_rods_on_which_nothing_acts_and_very_long_ones() -> None:
 def test_few_rods_are_left_to_the_scalar_solver(monkeypatch: pytest.MonkeyPatch) -> None:
     left: list[int] = []
     scalar = blocks.one_by_one
-    monkeypatch.setattr(blocks, "one_by_one", lambda *rod: left.append(1) or scalar(*rod))
+
+    def counted(*rod: Any) -> Any:
+        left.append(1)
+        return scalar(*rod)
+
+    monkeypatch.setattr(blocks, "one_by_one", counted)
     eta = np.linspace(0, 0.001, 200)
-    sweep_arrays(np.full(200, 0.00035), eta, np.full(200, 80.0), np.full(200, 3 * pi / 4), np.zeros(200), None)
+    sweep_arrays([np.full(200, 0.00035), eta, np.full(200, 80.0), np.full(200, 3 * pi / 4), np.zeros(200)])
     assert len(left) < 10
 
 
 def test_no_rods() -> None:
-    assert sweep_arrays(*(np.zeros(0) for _ in range(5)), None).case.size == 0
+    assert sweep_arrays([np.zeros(0)] * 5).case.size == 0
 
 
 def tips_by_integration(beta: float, eta: float, length: float, clamp: float, field: float) -> np.ndarray:
@@ -133,7 +142,7 @@ def tips_by_integration(beta: float, eta: float, length: float, clamp: float, fi
 def test_a_pair_of_tips_far_from_the_ends_of_a_range_is_found() -> None:
     rod = (0.7106467590526012, 1.366048108718744, 9.836250215206718, -2.7568992529771696, -0.9)
     # As many as are not left to the scalar solver.
-    table = sweep_arrays(*(np.full(blocks.FEWEST, part) for part in rod), None)
+    table = sweep_arrays([np.full(blocks.FEWEST, part) for part in rod])
     integrated = tips_by_integration(*rod)
     for case in range(blocks.FEWEST):
         found = table.tip_angle[table.case == case]
@@ -144,7 +153,7 @@ def test_a_pair_of_tips_far_from_the_ends_of_a_range_is_found() -> None:
 def test_no_wide_step_beside_a_narrow_one_hides_a_pair() -> None:
     rod = (1.1514166848626897, 1.1514166848626897, 17.461037970950017, 3.141592653589794, 0.3)
     tips = np.array([one.tip_angle for one in all_equilibria(*rod, None)])
-    swept = sweep_arrays(*(np.full(blocks.FEWEST, part) for part in rod), None)
+    swept = sweep_arrays([np.full(blocks.FEWEST, part) for part in rod])
     for tip in tips_by_integration(*rod):
         assert min(abs(tips - tip)) < 4 * pi / 6000
     assert np.allclose(swept.tip_angle[swept.case == 3], tips)
@@ -152,6 +161,6 @@ def test_no_wide_step_beside_a_narrow_one_hides_a_pair() -> None:
 
 def test_long_rods_keep_the_order_of_tips_that_are_nearer_than_rounding() -> None:
     rods = [np.array(column) for column in zip(*LONG_RODS * 6, strict=True)]
-    table = sweep_arrays(*rods, None)
+    table = sweep_arrays(rods)
     for case, rod in enumerate(LONG_RODS):
         assert_alike(table_rows(table, case), scalar_rows(rods, case), rod[2])
