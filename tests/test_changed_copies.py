@@ -10,7 +10,6 @@ from pathlib import Path
 
 import pytest
 
-from derive import stages
 from derive.check.misprints import Mutants
 from derive.check.printed import judge_formula
 from derive.check.repair import repair
@@ -41,11 +40,6 @@ MISPRINTS = [
     ("exhpf19", ["bar"]),
 ]
 RANDOM = 24  # changes of the sweep
-
-
-@pytest.fixture(scope="module")
-def theory():
-    return stages.theory()
 
 
 def shown(record: Record, latex: str = "") -> str:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import random
 from dataclasses import replace
-from types import SimpleNamespace
 
 import pytest
 
@@ -21,8 +20,6 @@ from derive.check.verdicts import AGREED, DEFINITION, PROVED, REFUTED, UNKNOWN, 
 from derive.paper import tree as t
 from derive.paper.ledger import Record, load_ledger
 from derive.paper.reader import parse
-from derive.theory import equilibrium, plane, quartic, weierstrass
-from derive.theory.claims import Notebook
 
 ALGEBRA = (
     "exsl8", "exsl9", "exsl9a", "exsl10", "exsl11", "exsl12", "exsl12a", "exsl13", "exsl17", "exsl18", "exsl19",
@@ -33,15 +30,6 @@ ALGEBRA = (
 # The displays of Section 3 up to the solution; those of other sections have tests of their own.
 LEDGER = {label: load_ledger()[label] for label in ALGEBRA}
 SAMPLE = 3  # mutants of each formula that are judged by default
-
-
-@pytest.fixture(scope="session")
-def theory():
-    """The derivation up to the elliptic functions: all that these formulas need."""
-    book = Notebook()
-    problem = plane.derive(equilibrium.derive_section2(energy=None, book=book), book)
-    cases = quartic.derive(problem, book)
-    return SimpleNamespace(plane=problem, cases=cases, weierstrass=weierstrass.derive(cases, book), book=book)
 
 
 @pytest.fixture(scope="session")

@@ -7,7 +7,6 @@ from dataclasses import replace
 import pytest
 from mpmath import mp
 
-from derive import stages
 from derive.check import elliptic, rectangle
 from derive.check.either import resolved
 from derive.check.evaluate import evaluate
@@ -55,11 +54,6 @@ WRONG = [
     ("exhpf16", r"2 \beta \xi", r"\beta \xi"),
     ("exhpf18", r"- \overline{\gamma}", r"- \gamma"),
 ]
-
-
-@pytest.fixture(scope="module")
-def theory():
-    return stages.theory()
 
 
 @pytest.fixture(scope="module")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from types import SimpleNamespace
 
 import pytest
 from sympy import Matrix, Rational, simplify
@@ -17,8 +16,6 @@ from derive.check.sections.turning import rotation, skew
 from derive.check.survival import of_formula
 from derive.check.verdicts import DEFINITION, PROVED, REFUTED
 from derive.paper.ledger import Record, load_ledger
-from derive.theory import equilibrium
-from derive.theory.claims import Notebook
 from derive.theory.letters import X1, X2, A, vector_of
 from derive.theory.symbols import s
 
@@ -27,12 +24,6 @@ SCOPES = ("kirchhoff", "magnetization", "line_energy")
 LABELS = [label for label, record in LEDGER.items() if record.scope in SCOPES]
 WRONG = {"kth20b", "kth23"}
 NAMING = {"kthr7", "kthr12", "kth14", "kth15", "kth18", "kth28"}
-
-
-@pytest.fixture(scope="module")
-def theory():
-    book = Notebook()
-    return SimpleNamespace(section2=equilibrium.derive_section2(book=book), book=book)
 
 
 def judged(theory, label: str, old: str = "", new: str = ""):

@@ -5,7 +5,6 @@ from __future__ import annotations
 import random
 from collections import Counter
 from dataclasses import replace
-from types import SimpleNamespace
 
 import pytest
 from sympy import Function, ImmutableMatrix, Rational, Symbol, cancel, eye, zeros
@@ -23,8 +22,7 @@ from derive.check.verdicts import DEFINITION, PROVED, REFUTED, UNKNOWN
 from derive.paper import tree as t
 from derive.paper.ledger import load_ledger
 from derive.paper.reader import parse
-from derive.theory import equilibrium, plane
-from derive.theory.claims import Claim, Equal, Notebook
+from derive.theory.claims import Claim, Equal
 from derive.theory.letters import X1, X2, A, e1, e2, e3, eps, vector_of
 from derive.theory.symbols import s
 
@@ -41,14 +39,6 @@ MENDED = {
     ],
 }
 SAMPLE = 6  # mutants of each formula that are tried by default
-
-
-@pytest.fixture(scope="module")
-def theory():
-    """The derivation up to the plane problem: all that these formulas need."""
-    book = Notebook()
-    section2 = equilibrium.derive_section2(book=book)
-    return SimpleNamespace(section2=section2, plane=plane.derive(section2, book), book=book)
 
 
 def record(label: str, *changes: tuple[str, str]):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from types import SimpleNamespace
 
 import pytest
 
@@ -14,19 +13,8 @@ from derive.check.verdicts import PROVED, REFUTED, UNKNOWN
 from derive.paper import tree as t
 from derive.paper.ledger import Record, load_ledger
 from derive.paper.reader import parse
-from derive.theory import equilibrium, plane, quartic, weierstrass
-from derive.theory.claims import Notebook
 
 LEDGER = load_ledger()
-
-
-@pytest.fixture(scope="module")
-def theory():
-    """The derivation up to the elliptic functions."""
-    book = Notebook()
-    problem = plane.derive(equilibrium.derive_section2(energy=None, book=book), book)
-    cases = quartic.derive(problem, book)
-    return SimpleNamespace(plane=problem, cases=cases, weierstrass=weierstrass.derive(cases, book))
 
 
 MISPRINTS = [

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from itertools import islice
-from types import SimpleNamespace
 
 import pytest
 
@@ -14,23 +13,11 @@ from derive.check.text.survival import of_text
 from derive.check.verdicts import CERTIFIED, PROVED, REFUTED, UNREAD
 from derive.cli import main
 from derive.paper.text_claims import FORMULA, TextClaim, claims_of, from_json, load_claims
-from derive.theory import equilibrium, plane, quartic, weierstrass
-from derive.theory.claims import Notebook
 
 CLAIMS = load_claims()
 NUMERICAL = ("count", "kinds", "transition", "effect", "bifurcations", "shrinks")
 EXACT = [claim for claim in CLAIMS.values() if claim.form not in NUMERICAL]
 SAMPLE = 1  # variants of each claim that are judged by default
-
-
-@pytest.fixture(scope="session")
-def theory():
-    book = Notebook()
-    section2 = equilibrium.derive_section2(energy=None, book=book)
-    problem = plane.derive(section2, book)
-    cases = quartic.derive(problem, book)
-    functions = weierstrass.derive(cases, book)
-    return SimpleNamespace(section2=section2, plane=problem, cases=cases, weierstrass=functions, book=book)
 
 
 @pytest.fixture(scope="session")

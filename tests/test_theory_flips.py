@@ -72,33 +72,57 @@ class Flipped(importlib.abc.MetaPathFinder, importlib.abc.Loader):
         exec(compile(self.tree, f"{self.name} (flipped)", "exec"), module.__dict__)
 
 
+class BrokenError(Exception):
+    """A claim does not survive the flip; the message says which."""
+
+
 def trial(task):
-    """What stops a flipped derivation: the name of a refuted claim or of an exception; empty if nothing does."""
+    """What stops a flipped derivation: the name of a refuted claim or of an exception; empty if nothing does.
+
+    Claims of the flipped script's own section are tried as soon as they are asserted, for one of them breaks most often
+    and the rest of the chain need not be derived then.
+    """
     script, number = task
     tree, line = flipped(script, number)
     for name in [name for name in sys.modules if name.startswith("derive.")]:
         del sys.modules[name]
     sys.meta_path.insert(0, Flipped(script, tree))
+    from derive.theory.chain import derive_all
+    from derive.theory.claims import Notebook
+
+    own = script.split("_")[0]
+
+    class Watched(Notebook):
+        def claim(self, *args, **options):
+            made = super().claim(*args, **options)
+            if made.id.startswith(own):
+                survives(made)
+            return made
+
+    try:
+        for claim in derive_all(book=Watched()).book.claims.values():
+            if not claim.id.startswith(own):
+                survives(claim)
+    except BrokenError as broken:
+        return script, line, str(broken)
+    except Exception as error:
+        return script, line, f"stopped by {type(error).__name__}"
+    return script, line, ""
+
+
+def survives(claim):
+    """Nothing, or BrokenError."""
     from derive.check.judge import _refuted
     from derive.check.prepare import prepared
 
     try:
-        from derive.theory.chain import derive_all
-
-        claims = derive_all().book.claims.values()
+        tried = _refuted(prepared(claim))
     except Exception as error:
-        return script, line, f"stopped by {type(error).__name__}"
-    own = script.split("_")[0]
-    for claim in sorted(claims, key=lambda claim: not claim.id.startswith(own)):
-        try:
-            tried = _refuted(prepared(claim))
-            if tried.counterexample:
-                return script, line, f"refutes {claim.id}"
-            if not tried.points:
-                return script, line, f"leaves {claim.id} undefined"
-        except Exception as error:
-            return script, line, f"stopped by {type(error).__name__} in {claim.id}"
-    return script, line, ""
+        raise BrokenError(f"stopped by {type(error).__name__} in {claim.id}") from error
+    if tried.counterexample:
+        raise BrokenError(f"refutes {claim.id}")
+    if not tried.points:
+        raise BrokenError(f"leaves {claim.id} undefined")
 
 
 def tasks():

@@ -10,7 +10,6 @@ import pytest
 from mpmath import mp, mpf
 from sympy import I, Integer, Rational, Symbol, cos, exp, lambdify, log, pi, re, simplify, sin, sqrt, tan
 
-from derive import stages
 from derive.check import elliptic
 from derive.check.judge import judge
 from derive.check.verdicts import PROVED
@@ -31,11 +30,6 @@ FRACTIONS = (mpf(0), mpf("0.3"), mpf("0.8"))  # of the length, from the clamp
 GRID = 24  # points at which logarithms are continued: their phases move by far less than π from one to the next
 A = theta_tip - alpha
 CASES = ("parallel", "orthogonal", "field_only", "force_only")
-
-
-@pytest.fixture(scope="module")
-def theory():
-    return stages.theory()
 
 
 @pytest.fixture(scope="module")
@@ -110,6 +104,7 @@ def test_the_load_cases_are_those_of_the_article(oblique):
         assert not any(value.has(alpha) for value in oblique.special[name].coefficients.values())
 
 
+@pytest.mark.long  # the main job proves them too
 def test_every_claim_is_proved(theory):
     claims = [claim for claim in theory.book.claims.values() if claim.id.startswith("oblique.")]
     assert len(claims) > 50

@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from derive import explain, stages
+from derive import explain
 from derive.theory import equilibrium, particle, sources
 from derive.theory.claims import Equal, Notebook
 
@@ -34,11 +34,6 @@ ROOTS = {
     "swing.legendre": "a quadratic form in the cosine and sine of an angle, by half the angle",
     "article.logarithm": "a property of the Weierstrass functions: the derivative of ln σ (DLMF 23.2.8)",
 }
-
-
-@pytest.fixture(scope="module")
-def theory():
-    return stages.theory()
 
 
 @pytest.fixture(scope="module")

@@ -9,7 +9,6 @@ import pytest
 from mpmath import mp, mpf
 from sympy import lambdify
 
-from derive import stages
 from derive.check.judge import judge
 from derive.check.verdicts import PROVED
 from derive.measure.taylor import integrate
@@ -18,11 +17,6 @@ DIGITS = 40
 CLOSE = mpf(10) ** -30  # the integration and the quadrature keep more than 35 digits on these motions
 RODS = 12
 PARTS = ("real", "imag")
-
-
-@pytest.fixture(scope="module")
-def theory():
-    return stages.theory()
 
 
 @pytest.fixture(scope="module")
@@ -38,6 +32,7 @@ def _digits():
         yield
 
 
+@pytest.mark.long  # the main job proves them too
 def test_every_claim_is_proved(theory):
     claims = [claim for claim in theory.book.claims.values() if claim.id.startswith("swing.")]
     assert len(claims) > 30

@@ -31,16 +31,17 @@ def specialise(slicer: Slicer, roots: Sequence[str]) -> list[str]:
     """Fold the slicer's constants into its pieces, in place; the names still reached, in order."""
     pieces = slicer.pieces
     kernels = {name: piece for name, piece in pieces.items() if piece.kind != "formula"}
+    settler = _Settler(kernels, pieces)
     _fold(slicer, kernels.values())
     if slicer.folded:
-        _settle(kernels, pieces)
+        settler.settle()
     fix_formulas(slicer)
     if slicer.folded:
-        _settle(kernels, pieces)
+        settler.settle()
     drop_folded(slicer)
     for _ in range(_ROUNDS):
         before = _forms(pieces)
-        _settle(kernels, pieces)
+        settler.settle()
         drop_carried(pieces, slicer.reach(roots))
         _drop_unused(pieces, roots)
         spread(slicer, roots)
@@ -50,20 +51,40 @@ def specialise(slicer: Slicer, roots: Sequence[str]) -> list[str]:
     return _checked(slicer, slicer.reach(roots))
 
 
-def _settle(kernels: Mapping[str, Piece], pieces: Mapping[str, Piece]) -> None:
-    """Work out what the values in the pieces decide, until nothing changes."""
-    known, settled = None, set[str]()
-    for _ in range(_ROUNDS):
-        constant = {name: value for name, piece in pieces.items() if (value := _constant(piece)) is not None}
-        if constant != known:
-            known, settled = constant, set()
-        if len(settled) == len(kernels):
-            return
-        for name in [name for name in kernels if name not in settled]:
-            before = ast.dump(kernels[name].node)
-            _round(kernels[name], constant, pieces)
-            if ast.dump(kernels[name].node) == before:
-                settled.add(name)
+class _Settler:
+    """Works out what the values in the pieces decide. A piece that neither changed nor uses a change is left alone."""
+
+    def __init__(self, kernels: Mapping[str, Piece], pieces: Mapping[str, Piece]) -> None:
+        self.kernels, self.pieces = kernels, pieces
+        self.forms: dict[str, str] = {}  # of the settled kernels
+        self.known: dict[str, Any] = {}
+
+    def settle(self) -> None:
+        """Go on until nothing changes."""
+        # Other steps change pieces in place between two calls.
+        self.forms = {name: form for name, form in self.forms.items() if ast.dump(self.kernels[name].node) == form}
+        for _ in range(_ROUNDS):
+            self._unsettle()
+            if len(self.forms) == len(self.kernels):
+                return
+            for name in [name for name in self.kernels if name not in self.forms]:
+                before = ast.dump(self.kernels[name].node)
+                _round(self.kernels[name], self.known, self.pieces)
+                if ast.dump(self.kernels[name].node) == before:
+                    self.forms[name] = before
+
+    def _unsettle(self) -> None:
+        """Find the functions that give one value each, and take up again what uses one of which that changed."""
+        found = {name: value for name, piece in self.pieces.items() if (value := _constant(piece)) is not None}
+        changed = {name for name in found.keys() | self.known.keys() if found.get(name) != self.known.get(name)}
+        self.known = found
+        if changed:
+            for name in [name for name in self.forms if changed & _names(self.kernels[name].node)]:
+                del self.forms[name]
+
+
+def _names(node: ast.AST) -> set[str]:
+    return {inner.id for inner in ast.walk(node) if isinstance(inner, ast.Name)}
 
 
 def _constant(piece: Piece) -> Any:
