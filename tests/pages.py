@@ -1,0 +1,142 @@
+"""Runs what a page of the documentation shows, and compares what that prints with what the page says.
+
+Blocks of a page are run in their order, in one folder and with the same Python names:
+
+    ```python            Python; a block without a language right below it is what it prints
+    ```toml rod.toml     a file of that name, written into the folder (in any language)
+    ```console           lines that begin with "$ " are commands, those below what they print
+
+A line ``<!-- long -->`` above a block says that it takes minutes. In what is printed "…" stands for anything.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import doctest
+import io
+import re
+import shlex
+import subprocess
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import pytest
+
+from derive.cli import main
+
+ROOT = Path(__file__).resolve().parent.parent
+FENCE = re.compile(r"^(<!-- long -->\n)?```(\w*)(?: ([\w.]+))?\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+
+
+@dataclass(frozen=True)
+class Block:
+    """A fenced block: the file and line of its text, its language, the file that it is, what it prints."""
+
+    place: str
+    language: str
+    name: str
+    text: str
+    printed: str
+    long: bool
+
+    @property
+    def runs(self) -> bool:
+        """Whether there is anything to do."""
+        return bool(self.name) or self.language in ("python", "console")
+
+
+def blocks(page: Path) -> list[Block]:
+    """The blocks of a page that are run, with what they print."""
+    text = page.read_text(encoding="utf-8")
+    found = [Block("", "", "", "", "", False)]
+    end = 0
+    for match in FENCE.finditer(text):
+        long, language, name, body = match.groups(default="")
+        if not language and found[-1].language == "python" and not text[end : match.start()].strip():
+            last = found.pop()
+            found.append(Block(last.place, last.language, last.name, last.text, body, last.long))
+        else:
+            line = text.count("\n", 0, match.start(4))
+            found.append(Block(f"{page.name}:{line + 1}", language, name, body, "", bool(long)))
+        end = match.end()
+    return [block for block in found if block.runs]
+
+
+@dataclass
+class Reader:
+    """Someone who does what a page says, in a folder."""
+
+    folder: Path
+    names: dict[str, object] = field(default_factory=lambda: {"__name__": "__main__"})
+    code: int = 0
+
+    def read(self, page: Path, *, long: bool) -> int:
+        """Run the blocks, with the long ones or without. How many there were."""
+        wanted = [block for block in blocks(page) if long or not block.long]
+        with contextlib.chdir(self.folder):
+            for block in wanted:
+                self.follow(block)
+        return len(wanted)
+
+    def follow(self, block: Block) -> None:
+        """Do what one block says."""
+        if block.name:
+            Path(block.name).write_text(block.text, encoding="utf-8")
+        elif block.language == "python":
+            with printing() as printed:
+                exec(compile("\n" * lines_before(block) + block.text, block.place, "exec"), self.names)
+            compare(block.printed, printed.getvalue(), block.place)
+        else:
+            for command, expected in commands(block.text):
+                compare(expected, self.run(command, block.place), f"{block.place} ({command})")
+            assert self.code == 0, f"{block.place}: exit code {self.code}; a page that means it says `echo $?`"
+
+    def run(self, command: str, place: str) -> str:
+        """What a command prints."""
+        program, *arguments = shlex.split(command, comments=True)
+        if command == "echo $?":
+            code, self.code = self.code, 0
+            return f"{code}\n"
+        assert self.code == 0, f"{place}: exit code {self.code} before `{command}`"
+        if program == "derive":
+            with printing() as printed:
+                self.code = main(arguments)
+            return printed.getvalue()
+        if program == "python":
+            command_line = [sys.executable, *arguments]
+            done = subprocess.run(command_line, capture_output=True, text=True, check=False)
+            self.code = done.returncode
+            return done.stdout + done.stderr
+        raise ValueError(f"{place}: a page may run derive and python, not '{program}'")
+
+
+def lines_before(block: Block) -> int:
+    """The lines of the page above a block, so that a traceback names the line in the page."""
+    return int(block.place.rpartition(":")[2]) - 1
+
+
+@contextlib.contextmanager
+def printing() -> Iterator[io.StringIO]:
+    """What is printed, errors with the rest."""
+    out = io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(out):
+        yield out
+
+
+def commands(text: str) -> list[tuple[str, str]]:
+    """The commands of a block, and what each prints."""
+    parts = re.split(r"^\$ (.*)\n", text, flags=re.MULTILINE)
+    assert not parts[0].strip(), f"what is printed stands below a command: {parts[0]}"
+    return list(zip(parts[1::2], parts[2::2], strict=True))
+
+
+def compare(expected: str, printed: str, place: str) -> None:
+    """Fail if a page says something else than what is printed; how spaces and lines are set does not count."""
+    options = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE | doctest.REPORT_NDIFF
+    checker = doctest.OutputChecker()
+    expected = expected.replace("…", "...")
+    if not checker.check_output(expected, printed, options):
+        example = doctest.Example("", expected)
+        pytest.fail(f"{place}:\n{checker.output_difference(example, printed, options)}", pytrace=False)
