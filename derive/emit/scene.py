@@ -47,7 +47,12 @@ _REQUIRED = ("name", "case", "outputs")
 
 @dataclass(frozen=True)
 class Scene:
-    """One thing to emit. ``constants`` holds what the file folds, ``folded`` that and what the load case implies."""
+    """One thing to emit.
+
+    name: of the modules, before the backend's. title: their first line. case: the load case, a key of CASES. outputs:
+    of OUTPUTS. backends: of BACKENDS. constants: what the file folds; ``folded`` is that and what the load case
+    implies.
+    """
 
     name: str
     title: str
@@ -82,7 +87,7 @@ class Scene:
 
 
 def load_scene(path: Path) -> Scene:
-    """Read a scene file."""
+    """Read the scene file at a path; SceneError names file, line and mend."""
     try:
         text = Path(path).read_text(encoding="utf-8")
     except OSError as error:
@@ -93,7 +98,7 @@ def load_scene(path: Path) -> Scene:
 
 
 def parse_scene(text: str, label: str = "scene") -> Scene:
-    """The scene that ``text`` writes; ``label`` names the file in errors."""
+    """The scene that ``text`` writes; SceneError for what is wrong in it. ``label`` names the file in errors."""
     source = Source(text, label)
     try:
         data = tomllib.loads(text)
