@@ -14,6 +14,7 @@ from __future__ import annotations
 import contextlib
 import doctest
 import io
+import os
 import re
 import shlex
 import subprocess
@@ -27,6 +28,7 @@ import pytest
 from derive.cli import main
 
 ROOT = Path(__file__).resolve().parent.parent
+PROGRAMS = {"python": sys.executable, "git": "git"}
 FENCE = re.compile(r"^(<!-- long -->\n)?```(\w*)(?: ([\w.]+))?\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
@@ -104,12 +106,14 @@ class Reader:
             with printing() as printed:
                 self.code = main(arguments)
             return printed.getvalue()
-        if program == "python":
-            command_line = [sys.executable, *arguments]
-            done = subprocess.run(command_line, capture_output=True, text=True, check=False)
-            self.code = done.returncode
-            return done.stdout + done.stderr
-        raise ValueError(f"{place}: a page may run derive and python, not '{program}'")
+        if program not in PROGRAMS:
+            raise ValueError(f"{place}: a page may run derive and {', '.join(PROGRAMS)}, not '{program}'")
+        here = os.pathsep.join([str(self.folder), str(ROOT)])
+        done = subprocess.run(
+            [PROGRAMS[program], *arguments], capture_output=True, text=True, env={**os.environ, "PYTHONPATH": here}
+        )
+        self.code = done.returncode
+        return done.stdout + done.stderr
 
 
 def lines_before(block: Block) -> int:

@@ -1,4 +1,4 @@
-"""The reference of the Python interface: every docstring says what its names mean, and the pages are built from them."""
+"""The reference of the Python interface: docstrings say what their names mean, and the pages are built from them."""
 
 from __future__ import annotations
 

@@ -14,6 +14,7 @@ from typing import Any
 
 from sympy import Expr, Integer, pi, srepr
 
+from derive.emit.backends import BACKENDS
 from derive.emit.constants import parse_constant
 from derive.emit.errors import SceneError, choices
 from derive.emit.scene_source import Source
@@ -40,7 +41,6 @@ GENERAL_CASE = "oblique"
 OUTPUTS = ("equilibria", "shape", "sweep", "folds", "literal")
 # The load cases for which the article has formulas, so that there is an output 'literal'.
 ARTICLE_CASES = ("parallel", "orthogonal", "field_only", "force_only")
-BACKENDS = ("numpy", "mpmath")
 _KEYS: dict[str, Any] = {"name": str, "title": str, "case": str, "outputs": list, "backends": list}
 _REQUIRED = ("name", "case", "outputs")
 
@@ -124,7 +124,7 @@ def parse_scene(text: str, label: str = "scene") -> Scene:
         title=str(table.get("title", table["name"])),
         case=case,
         outputs=outputs,
-        backends=_some_of(table.get("backends", list(BACKENDS)), BACKENDS, "backends", source),
+        backends=_some_of(table.get("backends", list(BACKENDS)), tuple(BACKENDS), "backends", source),
         constants=_constants(data.get("constants", {}), case, source),
     )
     if "sweep" in scene.outputs and not scene.parameters:
