@@ -6,6 +6,7 @@ Blocks of a page are run in their order, in one folder and with the same Python 
     ```toml rod.toml     a file of that name, written into the folder (in any language)
     ```console           lines that begin with "$ " are commands, those below what they print
 
+Lines that begin with "derive" in blocks without a language are commands too, of which only the exit code is looked at.
 A line ``<!-- long -->`` above a block says that it takes minutes. In what is printed "…" stands for anything.
 """
 
@@ -64,6 +65,15 @@ def blocks(page: Path) -> list[Block]:
             found.append(Block(f"{page.name}:{line + 1}", language, name, body, "", bool(long)))
         end = match.end()
     return [block for block in found if block.runs]
+
+
+def calls(page: Path) -> list[list[str]]:
+    """The arguments of the commands in blocks without a language; the main job and patterns are none."""
+    found = []
+    for match in FENCE.finditer(page.read_text(encoding="utf-8")):
+        if not match[2]:
+            found += re.findall(r"^(?:\.venv/bin/)?derive (.+)$", match[4], re.MULTILINE)
+    return [shlex.split(line) for line in found if "…" not in line]
 
 
 @dataclass

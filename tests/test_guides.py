@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Iterator
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
-from pages import ROOT, Reader, blocks
+from pages import ROOT, Reader, blocks, calls
 
+from derive.cli import main
 from derive.emit.backends import BACKENDS
 
 PAGES = [ROOT / "README.md", ROOT / "docs" / "tutorial.md", ROOT / "docs" / "extending.md"]
@@ -36,3 +38,21 @@ def test_the_page_says_what_happens(page: Path, reader: Reader) -> None:
 @pytest.mark.parametrize("page", PAGES[1:], ids=lambda page: page.stem)
 def test_the_whole_page_says_what_happens(page: Path, reader: Reader) -> None:
     assert reader.read(page, long=True) > len([block for block in blocks(page) if not block.long])
+
+
+CALLS = [(page, call) for page in (ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))) for call in calls(page)]
+
+
+@pytest.mark.long
+@pytest.mark.parametrize(("page", "call"), CALLS, ids=lambda value: "" if isinstance(value, list) else value.stem)
+def test_a_command_that_a_page_names_runs(
+    page: Path, call: list[str], reader: Reader, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(reader.folder)
+    assert main(call) == 0
+    for option, file in pairwise(call):
+        assert option not in ("--plot", "--csv", "--npz") or Path(file).stat().st_size > 100
+
+
+def test_pages_name_commands() -> None:
+    assert {page.stem for page, _ in CALLS} >= {"README", "solve", "sweep"}
