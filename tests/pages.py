@@ -3,11 +3,11 @@
 Blocks of a page are run in their order, in one folder and with the same Python names:
 
     ```python            Python; a block without a language right below it is what it prints
-    ```toml rod.toml     a file of that name, written into the folder (in any language)
     ```console           lines that begin with "$ " are commands, those below what they print
 
 Lines that begin with "derive" in blocks without a language are commands too, of which only the exit code is looked at.
-A line ``<!-- long -->`` above a block says that it takes minutes. In what is printed "…" stands for anything.
+A line ``<!-- file rod.toml -->`` above a block, in any language, says that it is a file of that name, which is written
+into the folder; ``<!-- long -->``, that it takes minutes. In what is printed "…" stands for anything.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ import shlex
 import subprocess
 import sys
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import pytest
@@ -30,7 +30,7 @@ from derive.cli import main
 
 ROOT = Path(__file__).resolve().parent.parent
 PROGRAMS = {"python": sys.executable, "git": "git"}
-FENCE = re.compile(r"^(<!-- long -->\n)?```(\w*)(?: ([\w.]+))?\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+FENCE = re.compile(r"^(?:<!-- (?:(long)|file ([\w.]+)) -->\n)?```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
 @dataclass(frozen=True)
@@ -53,16 +53,15 @@ class Block:
 def blocks(page: Path) -> list[Block]:
     """The blocks of a page that are run, with what they print."""
     text = page.read_text(encoding="utf-8")
-    found = [Block("", "", "", "", "", False)]
+    found: list[Block] = []
     end = 0
     for match in FENCE.finditer(text):
-        long, language, name, body = match.groups(default="")
-        if not language and found[-1].language == "python" and not text[end : match.start()].strip():
-            last = found.pop()
-            found.append(Block(last.place, last.language, last.name, last.text, body, last.long))
+        long, name, language, body = match.groups(default="")
+        if not language and found and found[-1].language == "python" and not text[end : match.start()].strip():
+            found[-1] = replace(found[-1], printed=body)
         else:
-            line = text.count("\n", 0, match.start(4))
-            found.append(Block(f"{page.name}:{line + 1}", language, name, body, "", bool(long)))
+            line = text.count("\n", 0, match.start(4)) + 1
+            found.append(Block(f"{page.name}:{line}", language, name, body, "", bool(long)))
         end = match.end()
     return [block for block in found if block.runs]
 
@@ -71,7 +70,7 @@ def calls(page: Path) -> list[list[str]]:
     """The arguments of the commands in blocks without a language; the main job and patterns are none."""
     found = []
     for match in FENCE.finditer(page.read_text(encoding="utf-8")):
-        if not match[2]:
+        if not match[3]:
             found += re.findall(r"^(?:\.venv/bin/)?derive (.+)$", match[4], re.MULTILINE)
     return [shlex.split(line) for line in found if "…" not in line]
 

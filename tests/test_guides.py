@@ -56,3 +56,31 @@ def test_a_command_that_a_page_names_runs(
 
 def test_pages_name_commands() -> None:
     assert {page.stem for page, _ in CALLS} >= {"README", "solve", "sweep"}
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("```python\nprint(1)\n```\n\n```\n2\n```\n", "page.md:2"),
+        ("```python\nprint(1)\n```\n", "page.md:2"),
+        ("```console\n$ derive solve paralel\nderive solve: no scene …\n```\n", "exit code 2"),
+        ("```console\n$ derive solve paralel\nno such words\n$ echo $?\n2\n```\n", "did you mean 'parallel'"),
+        ("```console\n$ rm -r derive\n```\n", "a page may run derive and python, git, not 'rm'"),
+    ],
+)
+def test_a_page_that_says_something_else_is_seen(text: str, words: str, reader: Reader, tmp_path: Path) -> None:
+    page = tmp_path / "page.md"
+    page.write_text(text, encoding="utf-8")
+    with pytest.raises((pytest.fail.Exception, AssertionError, ValueError)) as error:
+        reader.read(page, long=False)
+    assert words in str(error.value)
+
+
+def test_what_a_page_leaves_out_is_anything(reader: Reader, tmp_path: Path) -> None:
+    page = tmp_path / "page.md"
+    page.write_text(
+        "<!-- file one.py -->\n```python\nprint('a', 1, 'b')\n```\n\n```console\n$ python one.py\na … b\n```\n\n"
+        "<!-- long -->\n```python\nraise SystemExit\n```\n",
+        encoding="utf-8",
+    )
+    assert reader.read(page, long=False) == 2
