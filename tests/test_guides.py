@@ -13,7 +13,7 @@ from pages import ROOT, Reader, blocks, calls
 from derive.cli import main
 from derive.emit.backends import BACKENDS
 
-PAGES = [ROOT / "README.md", ROOT / "docs" / "tutorial.md", ROOT / "docs" / "extending.md"]
+PAGES = [ROOT / "README.md", *(ROOT / "docs" / f"{name}.md" for name in ("sweep", "extending", "tutorial"))]
 
 
 @pytest.fixture
@@ -35,7 +35,7 @@ def test_the_page_says_what_happens(page: Path, reader: Reader) -> None:
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("page", PAGES[1:], ids=lambda page: page.stem)
+@pytest.mark.parametrize("page", PAGES[2:], ids=lambda page: page.stem)
 def test_the_whole_page_says_what_happens(page: Path, reader: Reader) -> None:
     assert reader.read(page, long=True) > len([block for block in blocks(page) if not block.long])
 
