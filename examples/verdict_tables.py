@@ -104,13 +104,16 @@ def table(name: str) -> str:
     return found[1]
 
 
+def replace(text: str, name: str, lines: Sequence[str]) -> str:
+    """The text with new lines between the markers of a table."""
+    pattern = rf"(<!-- {name} -->\n).*?(<!-- end {name} -->)"
+    return re.sub(pattern, lambda match: match[1] + "\n".join([*lines, match[2]]), text, flags=re.DOTALL)
+
+
 def put(name: str, lines: Sequence[str]) -> None:
-    """Write a table on its page."""
-    old, text = table(name), PAGES[name].read_text(encoding="utf-8")
-    marked = "<!-- {0} -->\n{1}\n<!-- end {0} -->"
-    PAGES[name].write_text(
-        text.replace(marked.format(name, old), marked.format(name, "\n".join(lines))), encoding="utf-8"
-    )
+    """Write a table on its page; ValueError if the page has no markers for it."""
+    table(name)
+    PAGES[name].write_text(replace(PAGES[name].read_text(encoding="utf-8"), name, lines), encoding="utf-8")
 
 
 def differing(result: Found, written: Mapping[str, str]) -> list[str]:
