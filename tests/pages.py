@@ -7,7 +7,8 @@ Blocks of a page are run in their order, in one folder and with the same Python 
 
 Lines that begin with "derive" in blocks without a language are commands too, of which only the exit code is looked at.
 A line ``<!-- file rod.toml -->`` above a block, in any language, says that it is a file of that name, which is written
-into the folder; ``<!-- long -->``, that it takes minutes. In what is printed "…" stands for anything.
+into the folder; ``<!-- long -->`` or ``<!-- hours -->``, that it is for tests with such a mark. In what is printed "…"
+stands for anything.
 """
 
 from __future__ import annotations
@@ -30,19 +31,19 @@ from derive.cli import main
 
 ROOT = Path(__file__).resolve().parent.parent
 PROGRAMS = {"python": sys.executable, "git": "git"}
-FENCE = re.compile(r"^(?:<!-- (?:(long)|file ([\w.]+)) -->\n)?```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+FENCE = re.compile(r"^(?:<!-- (?:(long|hours)|file ([\w.]+)) -->\n)?```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
 @dataclass(frozen=True)
 class Block:
-    """A fenced block: the file and line of its text, its language, the file that it is, what it prints."""
+    """A fenced block: the file and line of its text, its language, the file that it is, what it prints, its mark."""
 
     place: str
     language: str
     name: str
     text: str
     printed: str
-    long: bool
+    mark: str
 
     @property
     def runs(self) -> bool:
@@ -56,12 +57,12 @@ def blocks(page: Path) -> list[Block]:
     found: list[Block] = []
     end = 0
     for match in FENCE.finditer(text):
-        long, name, language, body = match.groups(default="")
+        mark, name, language, body = match.groups(default="")
         if not language and found and found[-1].language == "python" and not text[end : match.start()].strip():
             found[-1] = replace(found[-1], printed=body)
         else:
             line = text.count("\n", 0, match.start(4)) + 1
-            found.append(Block(f"{page.name}:{line}", language, name, body, "", bool(long)))
+            found.append(Block(f"{page.name}:{line}", language, name, body, "", mark))
         end = match.end()
     return [block for block in found if block.runs]
 
@@ -83,9 +84,9 @@ class Reader:
     names: dict[str, object] = field(default_factory=lambda: {"__name__": "__main__"})
     code: int = 0
 
-    def read(self, page: Path, *, long: bool) -> int:
-        """Run the blocks, with the long ones or without. How many there were."""
-        wanted = [block for block in blocks(page) if long or not block.long]
+    def read(self, page: Path, *marks: str) -> int:
+        """Run the blocks without a mark, and those with one of some. How many there were."""
+        wanted = [block for block in blocks(page) if block.mark in ("", *marks)]
         with contextlib.chdir(self.folder):
             for block in wanted:
                 self.follow(block)

@@ -31,13 +31,18 @@ def reader(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Reader]:
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
 def test_the_page_says_what_happens(page: Path, reader: Reader) -> None:
-    assert reader.read(page, long=False) > 0
+    assert reader.read(page) > 0
 
 
 @pytest.mark.long
 @pytest.mark.parametrize("page", PAGES[2:], ids=lambda page: page.stem)
 def test_the_whole_page_says_what_happens(page: Path, reader: Reader) -> None:
-    assert reader.read(page, long=True) > len([block for block in blocks(page) if not block.long])
+    assert reader.read(page, "long") > len([block for block in blocks(page) if not block.mark])
+
+
+@pytest.mark.hours
+def test_the_tutorial_to_its_end(reader: Reader) -> None:
+    assert reader.read(PAGES[-1], "long", "hours") == len(blocks(PAGES[-1]))
 
 
 CALLS = [(page, call) for page in (ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))) for call in calls(page)]
@@ -72,7 +77,7 @@ def test_a_page_that_says_something_else_is_seen(text: str, words: str, reader: 
     page = tmp_path / "page.md"
     page.write_text(text, encoding="utf-8")
     with pytest.raises((pytest.fail.Exception, AssertionError, ValueError)) as error:
-        reader.read(page, long=False)
+        reader.read(page)
     assert words in str(error.value)
 
 
@@ -83,4 +88,4 @@ def test_what_a_page_leaves_out_is_anything(reader: Reader, tmp_path: Path) -> N
         "<!-- long -->\n```python\nraise SystemExit\n```\n",
         encoding="utf-8",
     )
-    assert reader.read(page, long=False) == 2
+    assert reader.read(page) == 2
