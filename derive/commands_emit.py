@@ -11,11 +11,10 @@ from typing import Any
 
 from derive import output, pipeline, show
 from derive.commands import emitted_files, failed, running, save, scene_path, shipped, write_modules
+from derive.emit.backends import BACKENDS
 from derive.measure.imports import import_times
 from derive.numbers import MistakeError
 from derive.runner import Runner
-
-PACKAGES = {"numpy": "numpy", "mpmath": "mpmath"}  # what modules of a backend stand on
 
 
 def run_emit(options: argparse.Namespace) -> int:
@@ -64,6 +63,7 @@ def explain(options: argparse.Namespace, runner: Runner, scenes: Sequence[Path])
 
 
 def texts(found: Sequence[dict[str, Any]]) -> dict[str, tuple[str, str]]:
-    """The modules to import, and the full one of each backend once: package and text."""
-    modules = {f"full {one['backend']}": (PACKAGES[one["backend"]], one["full_text"]) for one in found}
-    return modules | {f"{one['scene']}_{one['backend']}": (PACKAGES[one["backend"]], one["text"]) for one in found}
+    """The modules to import, and the full one of each backend once: the package they stand on, and text."""
+    packages = {name: (*backend.packages, "math")[0] for name, backend in BACKENDS.items()}
+    modules = {f"full {one['backend']}": (packages[one["backend"]], one["full_text"]) for one in found}
+    return modules | {f"{one['scene']}_{one['backend']}": (packages[one["backend"]], one["text"]) for one in found}

@@ -1,4 +1,4 @@
-"""Run the emitted modules on the hard suites, and write the table of worst errors into README.md between its markers.
+"""Run the emitted modules on the hard suites, and write the table of worst errors into docs/hard_rods.md.
 
 python examples/hard_table.py [most]
 
@@ -11,14 +11,12 @@ from __future__ import annotations
 import sys
 from importlib import import_module
 from math import sqrt
-from pathlib import Path
 
-from readme_tables import replace
+from verdict_tables import put
 
 from derive.measure.hard import Hardness, hardness
 from derive.measure.suites import SUITES, Case, suite
 
-README = Path(__file__).resolve().parent.parent / "README.md"
 CASES = ("field_only", "force_only", "parallel", "orthogonal", "oblique")
 SHOWN = ("tip_angle", "y", "z", "energy", "curvature(s)", "y(s)", "z(s)")
 EACH = 12  # rods of a suite and load case, evenly chosen
@@ -52,10 +50,7 @@ def main(most: int) -> int:
         found = measured(name, most)
         lines += found.rows(name, SHOWN)
         faults += found.faults
-    text = README.read_text(encoding="utf-8")
-    if "<!-- hard -->" not in text:
-        raise SystemExit("README.md has no markers <!-- hard --> and <!-- end hard --> to put the table between")
-    README.write_text(replace(text, "hard", lines), encoding="utf-8")
+    put("hard", lines)
     for fault in faults:
         print(fault, file=sys.stderr)
     return 1 if faults else 0

@@ -1,4 +1,4 @@
-"""Measure, and write the tables of README.md between their markers (needs the extra `bench`).
+"""Measure, and write the tables of README.md and docs/checks.md between their markers (needs the extra `bench`).
 
 derive --json result.json && derive check --mutants --json mutants.json
 python examples/readme_tables.py result.json mutants.json
@@ -7,7 +7,6 @@ python examples/readme_tables.py result.json mutants.json
 from __future__ import annotations
 
 import json
-import re
 import sys
 import time
 from collections.abc import Callable
@@ -17,7 +16,7 @@ from typing import Any
 
 import numpy as np
 from scipy.integrate import solve_bvp
-from verdict_tables import errata_table, mutant_table, verdict_table
+from verdict_tables import errata_table, mutant_table, put, verdict_table
 
 from derive.measure.agreement import TWIN_DIGITS, arguments
 from derive.measure.reference import Reference, Rod
@@ -31,7 +30,6 @@ from generated import (
     parallel_numpy,
 )
 
-README = Path(__file__).resolve().parent.parent / "README.md"
 Known = list[tuple[Rod, list[Reference]]]
 GUESSES = np.linspace(-3.0, 3.0, 9)  # tip angles from the clamp angle; what a user would try
 
@@ -112,19 +110,9 @@ def error_table() -> list[str]:
     return lines
 
 
-def replace(text: str, name: str, lines: list[str]) -> str:
-    """The text with new lines between the markers of a table."""
-    pattern = rf"(<!-- {name} -->\n).*?(<!-- end {name} -->)"
-    return re.sub(pattern, lambda match: match[1] + "\n".join([*lines, match[2]]), text, flags=re.DOTALL)
-
-
 if __name__ == "__main__":
-    text = README.read_text(encoding="utf-8")
     result, mutants = (json.loads(Path(name).read_text(encoding="utf-8")) for name in sys.argv[1:3])
-    for name, lines in {
-        "verdicts": verdict_table(result),
-        "errata": errata_table(result),
-        "mutants": mutant_table(mutants),
-    }.items():
-        text = replace(text, name, lines)
-    README.write_text(replace(text, "errors", error_table()), encoding="utf-8")
+    put("verdicts", verdict_table(result))
+    put("errata", errata_table(result))
+    put("mutants", mutant_table(mutants))
+    put("errors", error_table())

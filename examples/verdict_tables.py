@@ -1,19 +1,28 @@
-"""The tables of verdicts, errata and wrong variants in README.md, from the results of a run.
+"""The tables of verdicts, errata and wrong variants in README.md and docs/checks.md, from the results of a run.
 
 derive report --check --json found.json && python examples/verdict_tables.py found.json
-says whether verdicts and errata in README.md are those of the run.
+says whether verdicts and errata there are those of the run.
 """
 
 from __future__ import annotations
 
 import json
+import re
 import sys
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-README = Path(__file__).resolve().parent.parent / "README.md"
+ROOT = Path(__file__).resolve().parent.parent
+# On which page each table stands, between the markers <!-- NAME --> and <!-- end NAME -->.
+PAGES = {
+    "verdicts": ROOT / "README.md",
+    "errors": ROOT / "README.md",
+    "errata": ROOT / "docs" / "checks.md",
+    "mutants": ROOT / "docs" / "checks.md",
+    "hard": ROOT / "docs" / "hard_rods.md",
+}
 Found = Mapping[str, Any]
 ORDER = ("PROVED", "CERTIFIED", "AGREED", "DEFINITION", "REFUTED", "UNKNOWN", "UNREAD")  # in the order of trust
 WIDEST = 240  # characters of a formula in a table
@@ -83,13 +92,37 @@ def mutant_table(mutants: Found) -> list[str]:
     return lines + [f"| {kind} | {' | '.join(str(met.get(fate, 0)) for fate in fates)} |" for kind, met in rows]
 
 
-def differing(result: Found, readme: str) -> list[str]:
-    """The tables of README.md that are not those of a run."""
+def table(name: str) -> str:
+    """A table as it stands on its page; ValueError if the page has no markers for it."""
+    found = re.search(
+        rf"<!-- {name} -->\n(.*?)\n?<!-- end {name} -->", PAGES[name].read_text(encoding="utf-8"), re.DOTALL
+    )
+    if found is None:
+        raise ValueError(
+            f"{PAGES[name]} has no markers <!-- {name} --> and <!-- end {name} --> to put the table between"
+        )
+    return found[1]
+
+
+def replace(text: str, name: str, lines: Sequence[str]) -> str:
+    """The text with new lines between the markers of a table."""
+    pattern = rf"(<!-- {name} -->\n).*?(<!-- end {name} -->)"
+    return re.sub(pattern, lambda match: match[1] + "\n".join([*lines, match[2]]), text, flags=re.DOTALL)
+
+
+def put(name: str, lines: Sequence[str]) -> None:
+    """Write a table on its page; ValueError if the page has no markers for it."""
+    table(name)
+    PAGES[name].write_text(replace(PAGES[name].read_text(encoding="utf-8"), name, lines), encoding="utf-8")
+
+
+def differing(result: Found, written: Mapping[str, str]) -> list[str]:
+    """Those of the tables of verdicts and errata that are not written as a run gives them."""
     tables = {"verdicts": verdict_table(result), "errata": errata_table(result)}
-    return [name for name, lines in tables.items() if "\n".join(lines) not in readme]
+    return [name for name, lines in tables.items() if "\n".join(lines) != written[name]]
 
 
 if __name__ == "__main__":
     result = json.loads(Path(sys.argv[1]).read_text(encoding="utf-8"))
-    names = differing(result, README.read_text(encoding="utf-8"))
-    sys.exit(f"README.md: {' and '.join(names)} differ from the run; run examples/readme_tables.py" if names else 0)
+    names = differing(result, {name: table(name) for name in ("verdicts", "errata")})
+    sys.exit(f"the tables of {' and '.join(names)} differ from the run; run examples/readme_tables.py" if names else 0)

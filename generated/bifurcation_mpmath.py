@@ -2483,6 +2483,7 @@ def equilibria(beta, eta, *, max_index=None, dps=None) -> list[Equilibrium]:
     beta: terminal force over bending stiffness, F/(EI) ≥ 0.
     eta: magnetic modulus over bending stiffness, η̃/(EI) ≥ 0.
     max_index: the largest index that is wanted, 0 for stable equilibria only; None for all.
+    dps: decimal digits to work with, from 15 to 1000; None for those of the caller, mp.dps.
 
     All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """
@@ -2509,6 +2510,7 @@ def sweep(beta, eta, *, max_index=None, dps=None) -> Sweep:
     """All equilibria of many rods: the arguments are numbers, or sequences of one length.
 
     max_index: the largest index that is wanted, 0 for stable equilibria only; None for all.
+    dps: decimal digits to work with, from 15 to 1000; None for those of the caller, mp.dps.
 
     Raises TypeError or ValueError, naming the argument and the index of a bad value, before any work.
     """
@@ -2552,6 +2554,7 @@ def folds(beta, *, eta, dps=None) -> list[Fold]:
 
     beta: terminal force over bending stiffness, F/(EI) ≥ 0.
     ``eta``: the range (low, high) of the magnetic modulus over bending stiffness, 0 ≤ low < high.
+    dps: decimal digits to work with, from 15 to 1000; None for those of the caller, mp.dps.
 
     All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """
@@ -2585,6 +2588,7 @@ def exchanges(*, beta, eta, dps=None) -> list[Exchange]:
 
     ``beta``, ``eta``: the ranges (low, high) of terminal force and magnetic modulus over bending stiffness,
     0 ≤ low < high.
+    dps: decimal digits to work with, from 15 to 1000; None for those of the caller, mp.dps.
 
     All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """

@@ -2647,6 +2647,7 @@ def equilibria(eta, length, clamp_angle, *, max_index=None, dps=None) -> list[Eq
     length: length of the rod, > 0.
     clamp_angle: θ(0), the angle from the y axis to the tangent at the clamp, in radians.
     max_index: the largest index that is wanted, 0 for stable equilibria only; None for all.
+    dps: decimal digits to work with, from 15 to 1000; None for those of the caller, mp.dps.
 
     All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """
@@ -2690,6 +2691,7 @@ def shape(equilibrium: Equilibrium, s, *, position=True, dps=None) -> Shape:
     """The shape of an equilibrium at arc lengths s from the clamp, a number or a sequence of them within [0, length].
 
     position: whether y and z are wanted; without them they are None.
+    dps: decimal digits to work with, from 15 to 1000; None for those of the caller, mp.dps.
 
     theta, curvature, y and z are numbers, or lists as long as s. Raises TypeError or ValueError where an s is not on
     the rod.
@@ -2717,6 +2719,7 @@ def sweep(eta, length, clamp_angle, *, max_index=None, dps=None) -> Sweep:
     """All equilibria of many rods: the arguments are numbers, or sequences of one length.
 
     max_index: the largest index that is wanted, 0 for stable equilibria only; None for all.
+    dps: decimal digits to work with, from 15 to 1000; None for those of the caller, mp.dps.
 
     Raises TypeError or ValueError, naming the argument and the index of a bad value, before any work.
     """
@@ -2761,6 +2764,7 @@ def folds(length, clamp_angle, *, eta, dps=None) -> list[Fold]:
     length: length of the rod, > 0.
     clamp_angle: θ(0), the angle from the y axis to the tangent at the clamp, in radians.
     ``eta``: the range (low, high) of the magnetic modulus over bending stiffness, 0 ≤ low < high.
+    dps: decimal digits to work with, from 15 to 1000; None for those of the caller, mp.dps.
 
     All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """

@@ -1805,6 +1805,7 @@ def equilibria(beta, eta, *, max_index=None, dps=None) -> list[Equilibrium]:
     beta: terminal force over bending stiffness, F/(EI) ≥ 0.
     eta: magnetic modulus over bending stiffness, η̃/(EI) ≥ 0.
     max_index: the largest index that is wanted, 0 for stable equilibria only; None for all.
+    dps: decimal digits to work with, from 15 to 1000; None for those of the caller, mp.dps.
 
     All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """
@@ -1831,6 +1832,7 @@ def sweep(beta, eta, *, max_index=None, dps=None) -> Sweep:
     """All equilibria of many rods: the arguments are numbers, or sequences of one length.
 
     max_index: the largest index that is wanted, 0 for stable equilibria only; None for all.
+    dps: decimal digits to work with, from 15 to 1000; None for those of the caller, mp.dps.
 
     Raises TypeError or ValueError, naming the argument and the index of a bad value, before any work.
     """

@@ -1,45 +1,66 @@
-"""The README's example prints what the README says."""
+"""README and guides: the files that they name are there, and their tables are those of a run."""
 
 from __future__ import annotations
 
 import importlib
 import re
-import subprocess
-import sys
 from pathlib import Path
+from types import ModuleType
 
 import pytest
+from pages import ROOT
 
-ROOT = Path(__file__).resolve().parent.parent
-README = (ROOT / "README.md").read_text(encoding="utf-8")
-
-
-def test_the_example_prints_what_is_written() -> None:
-    code, printed = re.search(r"```python\n(.*?)```\s+```\n(.*?)```", README, re.DOTALL).groups()
-    run = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True)
-    assert run.stdout == printed
+GUIDES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 
 
-def test_every_file_named_is_there() -> None:
-    for name in re.findall(r"\]\(([\w./-]+)\)", README) + re.findall(r"`(derive/[\w./]+)`", README):
+@pytest.fixture
+def tables(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    monkeypatch.syspath_prepend(str(ROOT / "examples"))
+    return importlib.import_module("verdict_tables")
+
+
+@pytest.mark.parametrize("guide", GUIDES, ids=lambda guide: guide.stem)
+def test_every_file_named_is_there(guide: Path) -> None:
+    text = guide.read_text(encoding="utf-8")
+    links = re.findall(r"\]\((?!https?:)([^)#]+)", text)
+    for name in links:
+        assert (guide.parent / name).exists(), name
+    for name in re.findall(r"`((?:derive|docs|tests|examples|templates)/[\w./]+)`", text):
         assert (ROOT / name).exists(), name
 
 
-def test_the_tables_are_filled() -> None:
-    for name in ("verdicts", "errata", "mutants", "errors"):
-        table = README.split(f"<!-- {name} -->")[1].split(f"<!-- end {name} -->")[0]
-        assert table.count("\n|") >= 3, f"run examples/readme_tables.py for the table of {name}"
+def test_every_guide_is_found_from_the_index() -> None:
+    index = (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
+    assert "(docs/index.md)" in (ROOT / "README.md").read_text(encoding="utf-8")
+    for guide in GUIDES[1:]:
+        assert guide.name == "index.md" or f"({guide.name})" in index, guide.name
 
 
-def test_a_table_that_is_not_of_the_run_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.syspath_prepend(str(ROOT / "examples"))
-    tables = importlib.import_module("verdict_tables")
+def test_the_tables_are_filled(tables: ModuleType) -> None:
+    for name in tables.PAGES:
+        assert tables.table(name).count("\n|") >= 3, f"run examples/readme_tables.py for the table of {name}"
+
+
+def test_a_table_is_put_where_it_stands(tables: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    page = tmp_path / "page.md"
+    page.write_text("Above.\n<!-- hard -->\n| old |\n<!-- end hard -->\nBelow.\n", encoding="utf-8")
+    monkeypatch.setitem(tables.PAGES, "hard", page)
+    tables.put("hard", ["| new |", "| two |"])
+    assert tables.table("hard") == "| new |\n| two |"
+    assert page.read_text(encoding="utf-8").startswith("Above.\n<!-- hard -->\n| new |")
+    monkeypatch.setitem(tables.PAGES, "errors", page)
+    with pytest.raises(ValueError, match="no markers <!-- errors -->"):
+        tables.put("errors", [])
+
+
+def test_a_table_that_is_not_of_the_run_is_seen(tables: ModuleType) -> None:
     repair = {"latex": "a = b", "tried": 3, "changes": [["|b|", "b"]]}
     statement = {"verdict": "REFUTED", "printed": "a = |b|", "repair": repair}
     formula = {"id": "exsl1", "line": 9, "verdict": "REFUTED", "statements": [statement]}
     found = {"claims": {"PROVED": 2}, "formulas": [formula]}
-    right = "\n".join([*tables.verdict_table(found), *tables.errata_table(found)])
-    assert r"| exsl1 | 9 | `\|b\|` | `b` | 3 |" in right
+    verdicts, errata = ("\n".join(table(found)) for table in (tables.verdict_table, tables.errata_table))
+    right = {"verdicts": verdicts, "errata": errata}
+    assert r"| exsl1 | 9 | `\|b\|` | `b` | 3 |" in errata
     assert tables.differing(found, right) == []
-    assert tables.differing(found, right.replace("| 3 |", "| 4 |")) == ["errata"]
+    assert tables.differing(found, {**right, "errata": errata.replace("| 3 |", "| 4 |")}) == ["errata"]
     assert tables.differing({**found, "claims": {"PROVED": 1}}, right) == ["verdicts"]

@@ -26,7 +26,10 @@ Answer = tuple[VERDICTS, str, dict[str, str] | None, str]
 
 
 def judge(claim: Claim, seconds: float | None = SECONDS) -> Verdict:
-    """The verdict on a claim, within a time limit (UNKNOWN, or AGREED if points were found, at the limit)."""
+    """The verdict on a claim, within a time limit in seconds, None for no limit.
+
+    At the limit it is UNKNOWN, or AGREED if it held at random points.
+    """
     start = time.perf_counter()
     tried = refute.Trial(None, 0)
     try:
@@ -89,5 +92,8 @@ def judge_all(
     progress: Callable[[Verdict], Any] | None = None,
     seconds: float | None = SECONDS,
 ) -> list[Verdict]:
-    """Verdicts of many claims in their order, by several processes; `progress` is called with each as it is done."""
+    """Verdicts of many claims in their order.
+
+    jobs: how many processes. progress: called with each verdict as it is there. seconds: the time limit of each.
+    """
     return pool.mapped(judge, [(claim, seconds) for claim in claims], jobs, progress)

@@ -26,7 +26,11 @@ def judge_formulas(
     seconds: float = SECONDS,
     mend: bool = True,
 ) -> list[FormulaVerdict]:
-    """The verdict on every record, or on those named, with repairs; KeyError for a name that is no record."""
+    """The verdict on every record, or on those named; KeyError for a name that is no record.
+
+    theory: what ``derive_all`` gives. records: by label, as ``load_ledger`` or ``from_source`` gives them. only: the
+    labels wanted. progress: called with each verdict. seconds: the time limit of a statement. mend: look for repairs.
+    """
     chosen = list(records.values()) if only is None else [records[label] for label in only]
     verdicts = []
     for record in chosen:
@@ -37,7 +41,11 @@ def judge_formulas(
 
 
 def judge_formula(theory: Any, record: Record, decide: Judge = judge, *, mend: bool = False) -> FormulaVerdict:
-    """The verdict on one formula: the worst of its statements'. mend: look for repairs of those refuted."""
+    """The verdict on one formula: the worst of its statements'.
+
+    theory: what ``derive_all`` gives. record: the formula. decide: what judges a claim. mend: look for repairs of
+    statements that are refuted.
+    """
     start = time.perf_counter()
     try:
         if record.scope is None:

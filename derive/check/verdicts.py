@@ -37,8 +37,8 @@ UNREAD = VERDICTS.UNREAD
 class Verdict:
     """The verdict on one claim.
 
-    method: how it was reached. counterexample: symbol → value as text, with 'lhs' and 'rhs', for REFUTED.
-    reason: why there is no proof, or what went wrong. seconds: time taken.
+    id: of the claim. verdict: the kind. method: how it was reached. counterexample: symbol → value as text, with 'lhs'
+    and 'rhs', for REFUTED. reason: why there is no proof, or what went wrong. seconds: time taken.
     """
 
     id: str

@@ -26,7 +26,11 @@ Rows = list[list[State]]
 
 @dataclass(frozen=True)
 class Block:
-    """Values of a parameter of one rod. module: the name of a shipped module, or else text: that of an emitted one."""
+    """Values of a parameter of one rod.
+
+    module: the name of a shipped module, or empty and text: that of an emitted one. parameter: what varies, over the
+    values. fixed: the other parameters, name and value.
+    """
 
     module: str
     text: str
@@ -60,7 +64,7 @@ def solve(block: Block) -> Rows:
 def blocks(
     module: str, text: str, parameter: str, values: Sequence[float], fixed: Mapping[str, float]
 ) -> Iterator[Block]:
-    """The values in blocks."""
+    """The values of a parameter in blocks of BLOCK; module, text and fixed as in a ``Block``."""
     for start in range(0, len(values), BLOCK):
         part = tuple(values[start : start + BLOCK])
         yield Block(module, text, parameter, part, tuple(sorted(fixed.items())))
@@ -96,7 +100,11 @@ def solved(
     executor: Executor | None = None,
     progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> dict[Block, Rows]:
-    """All blocks: from the store, and what is missing from the executor, or here if there is none."""
+    """The rows of all blocks todo: from the store, and what is missing from the executor, or here if there is none.
+
+    executor: any of ``concurrent.futures``, or with its interface. progress: called with the number of blocks done and
+    of all.
+    """
     found = {block: kept for block in todo if (kept := store.get(block)) is not None}
     rest = [block for block in todo if block not in found]
     progress(len(found), len(todo))
@@ -108,7 +116,7 @@ def solved(
 
 
 def results(todo: Sequence[Block], executor: Executor | None) -> Iterator[tuple[Block, Rows]]:
-    """Blocks with their rows, as they come."""
+    """The blocks todo with their rows, as they come from the executor, or one after another if there is none."""
     if executor is None:
         yield from ((block, solve(block)) for block in todo)
         return

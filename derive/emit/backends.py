@@ -28,7 +28,8 @@ MODULE_ALIASES = {"numpy": "np"}
 class Backend:
     """One twin. A kernel file ``<file>_<backend>.py`` stands before ``<file>.py``, name by name.
 
-    packages: top-level packages that emitted code may import besides the standard library. builtins: builtin names
+    name: suffix of modules and kernel files. title: for the first line of a module. packages: top-level packages that
+    emitted code may import besides the standard library. number: the name of its numbers' type. builtins: builtin names
     that mean something else here. exact: numbers are kept exact, so constants are written inside functions, where the
     caller's precision holds. elementwise: there are arrays; where there are none, what is wanted of an array instance
     is taken from the scalar one.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import copy
 from collections.abc import Iterable, Mapping
+from inspect import cleandoc
 from typing import Any
 
 import sympy
@@ -17,6 +18,7 @@ from derive.emit.printer import Printer
 from derive.emit.values import Exact
 
 DIGITS = ("arguments", "digits")  # the kernel that says to how many digits a public function works
+PRECISION = "dps: decimal digits to work with, from 15 to 1000; None for those of the caller, mp.dps."
 _LONGEST_EXACT_DECIMAL = 12  # digits; 0.015625 is exact in both twins, 0.1 is not
 
 
@@ -163,7 +165,19 @@ def _with_precision(piece: Piece) -> None:
         return
     head = node.body[:1] if isinstance(node.body[0], ast.Expr) and isinstance(node.body[0].value, ast.Constant) else []
     context = ast.parse(f"workdps({DIGITS[1]}(dps))", mode="eval").body
+    if head:
+        head = [ast.Expr(ast.Constant(_with_argument(head[0].value.value, PRECISION)))]
     node.args.kwonlyargs.append(ast.arg("dps"))
     node.args.kw_defaults.append(ast.Constant(None))
     node.body = [*head, ast.With([ast.withitem(context)], node.body[len(head) :])]
     piece.names.update({"workdps": External("mpmath", "workdps", "workdps"), DIGITS[1]: DIGITS[1]})
+
+
+def _with_argument(docstring: str, line: str) -> str:
+    """A docstring with the line on one more argument: below those on the others, before the last paragraph."""
+    paragraphs = cleandoc(docstring).split("\n\n")
+    if len(paragraphs) > 2:  # a summary, the arguments, the rest
+        paragraphs[-2] += f"\n{line}"
+    else:
+        paragraphs.insert(1, line)
+    return "\n\n".join(paragraphs)

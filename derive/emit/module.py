@@ -27,7 +27,11 @@ from derive.theory.claims import Formula
 
 @dataclass(frozen=True)
 class EmittedModule:
-    """A module to write. ``formulas``: those it evaluates, specialised; ``left_out``: definitions it does without."""
+    """A module to write.
+
+    name: without ``.py``. text: the whole of it. scene, backend: what it was emitted for. formulas: those it evaluates,
+    specialised. digest: sha256 of all that it was made from. left_out: definitions it does without.
+    """
 
     name: str
     text: str
@@ -53,11 +57,11 @@ def emit_module(
     formulas: Mapping[str, Formula] | None = None,
     common: bool = False,
 ) -> EmittedModule:
-    """The module for ``scene`` on ``backend``; unproved (see ``proof``).
+    """The module for ``scene`` on ``backend``; unproved (see ``proof``). EmitError where it cannot be emitted.
 
-    kernels: the kernel files by stem. instances: those that have an array instance, and its stem. formulas: those to
-    use by name, else those of the load case, and for any field angle where it has none. common: name repeated
-    subexpressions.
+    theory: what ``derive_all`` gives. kernels: the kernel files by stem. instances: those that have an array instance,
+    and its stem. formulas: those to use by name, else those of the load case, and for any field angle where it has
+    none. common: name repeated subexpressions.
     """
     sources = read_kernels() if kernels is None else dict(kernels)
     if instances is None:

@@ -40,7 +40,7 @@ STANDARD = frozenset(
 
 @dataclass(frozen=True)
 class FormulaProof:
-    """How one emitted formula was proved equal to the registry's expression."""
+    """How one emitted formula was proved equal to the registry's expression: the method; the claim it stands for."""
 
     formula: str
     claim: str
@@ -55,7 +55,10 @@ def prove_module(module: EmittedModule) -> tuple[FormulaProof, ...]:
 
 
 def prove_formulas(text: str, formulas: Iterable[Formula], label: str) -> tuple[FormulaProof, ...]:
-    """Read every formula back from ``text`` and prove it equal to its expression."""
+    """Read all formulas back from the text of a module and prove each equal to its expression.
+
+    label: names the module in errors. EmitError for a formula that is missing, unreadable, or not proved equal.
+    """
     module = read_module(text, label)
     proofs = []
     for formula in formulas:
@@ -82,7 +85,10 @@ def _equal(formula: Formula, read: Expr, label: str) -> str:
 
 
 def check_names(text: str, label: str, backend: str) -> None:
-    """Every name that the module loads is defined; it imports the backend's package and the standard library only."""
+    """EmitError if the text of a module loads a name that is not defined, or imports what its backend may not.
+
+    A backend may import its packages and STANDARD. label: names the module in errors.
+    """
     module = read_module(text, label)
     tree = ast.parse(text)
     for node in ast.walk(tree):

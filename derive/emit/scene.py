@@ -14,6 +14,7 @@ from typing import Any
 
 from sympy import Expr, Integer, pi, srepr
 
+from derive.emit.backends import BACKENDS
 from derive.emit.constants import parse_constant
 from derive.emit.errors import SceneError, choices
 from derive.emit.scene_source import Source
@@ -40,14 +41,18 @@ GENERAL_CASE = "oblique"
 OUTPUTS = ("equilibria", "shape", "sweep", "folds", "literal")
 # The load cases for which the article has formulas, so that there is an output 'literal'.
 ARTICLE_CASES = ("parallel", "orthogonal", "field_only", "force_only")
-BACKENDS = ("numpy", "mpmath")
 _KEYS: dict[str, Any] = {"name": str, "title": str, "case": str, "outputs": list, "backends": list}
 _REQUIRED = ("name", "case", "outputs")
 
 
 @dataclass(frozen=True)
 class Scene:
-    """One thing to emit. ``constants`` holds what the file folds, ``folded`` that and what the load case implies."""
+    """One thing to emit.
+
+    name: of the modules, before the backend's. title: their first line. case: the load case, a key of CASES. outputs:
+    of OUTPUTS. backends: of BACKENDS. constants: what the file folds; ``folded`` is that and what the load case
+    implies.
+    """
 
     name: str
     title: str
@@ -82,7 +87,7 @@ class Scene:
 
 
 def load_scene(path: Path) -> Scene:
-    """Read a scene file."""
+    """Read the scene file at a path; SceneError names file, line and mend."""
     try:
         text = Path(path).read_text(encoding="utf-8")
     except OSError as error:
@@ -93,7 +98,7 @@ def load_scene(path: Path) -> Scene:
 
 
 def parse_scene(text: str, label: str = "scene") -> Scene:
-    """The scene that ``text`` writes; ``label`` names the file in errors."""
+    """The scene that ``text`` writes; SceneError for what is wrong in it. ``label`` names the file in errors."""
     source = Source(text, label)
     try:
         data = tomllib.loads(text)
@@ -119,7 +124,7 @@ def parse_scene(text: str, label: str = "scene") -> Scene:
         title=str(table.get("title", table["name"])),
         case=case,
         outputs=outputs,
-        backends=_some_of(table.get("backends", list(BACKENDS)), BACKENDS, "backends", source),
+        backends=_some_of(table.get("backends", list(BACKENDS)), tuple(BACKENDS), "backends", source),
         constants=_constants(data.get("constants", {}), case, source),
     )
     if "sweep" in scene.outputs and not scene.parameters:

@@ -27,7 +27,11 @@ class NoEquilibriumError(ValueError):
 
 @dataclass(frozen=True)
 class Rod:
-    """One rod: force and field over stiffness, angles from the force's direction, length. Floats are exact inputs."""
+    """One rod. Floats are exact inputs; all in one unit of length.
+
+    beta: force over bending stiffness. eta: magnetic modulus over it. length: of the rod. clamp_angle, field_angle: of
+    its first direction and of the field, in radians from the direction of the force.
+    """
 
     beta: float
     eta: float
@@ -43,7 +47,11 @@ class Rod:
 
 @dataclass(frozen=True)
 class Reference:
-    """One equilibrium: its quantities by name, its index, and Σ|p ∂quantity/∂p| over the inputs p."""
+    """One equilibrium of a rod.
+
+    index: number of negative directions of the second variation. values: its quantities by name, as mpmath numbers.
+    sensitivity: Σ|p ∂quantity/∂p| over the inputs p, by name.
+    """
 
     rod: Rod
     index: int
@@ -65,9 +73,10 @@ class Reference:
 
 
 def solve(rod: Rod, tip_angle: Any, digits: int = DIGITS, *, furthest: float = 1e-3) -> Reference:
-    """The equilibrium whose tip angle is within `furthest` of the one given, to `digits` digits.
+    """The equilibrium of a rod whose tip_angle is within `furthest` of the one given, to `digits` digits.
 
     Long rods have tips exponentially near a direction of equilibrium: give then a tip angle of that precision.
+    NoEquilibriumError if there is none near, ArithmeticError if two orders of integration do not agree.
     """
     tip = refine(rod, tip_angle, digits, furthest)
     with mp.workdps(working_digits(rod.beta, rod.eta, rod.length, digits)):
@@ -85,7 +94,10 @@ def solve(rod: Rod, tip_angle: Any, digits: int = DIGITS, *, furthest: float = 1
 
 
 def refine(rod: Rod, tip_angle: Any, digits: int, furthest: float) -> Any:
-    """The tip angle at which θ(0) is the clamp angle; ∂θ(0)/∂θ(ℓ) is h(0). Few digits first, then all."""
+    """The tip angle, within `furthest` of tip_angle, at which θ(0) is the clamp angle of the rod, to `digits` digits.
+
+    By Newton's method, few digits first, then all: ∂θ(0)/∂θ(ℓ) is h(0). NoEquilibriumError if it does not settle.
+    """
     with mp.workdps(working_digits(rod.beta, rod.eta, rod.length, digits)):
         start = tip = mpf(tip_angle)
         for carried in (digits // 2, digits):
@@ -105,13 +117,16 @@ def refine(rod: Rod, tip_angle: Any, digits: int, furthest: float) -> Any:
 
 
 def walk(rod: Rod, tip: Any, digits: int, *, interior: bool = True, more_terms: int = 0) -> Path:
-    """Integrate a rod from a given tip angle, with its interior points or without."""
+    """Integrate a rod from a given tip angle, with its interior points or without.
+
+    digits: to which the Taylor series are carried. more_terms: of higher order than these need, for a second route.
+    """
     stops = [fraction * mpf(rod.length) for fraction in FRACTIONS] if interior else []
     return integrate(tip, rod.beta, rod.eta, rod.field_angle, rod.length, digits, stops=stops, more_terms=more_terms)
 
 
 def quantities(rod: Rod, path: Path) -> dict[str, Any]:
-    """All that a solver is asked for, by name; at interior points measured from the clamp."""
+    """All that a solver is asked for, by name, from the path of a rod; at interior points measured from the clamp."""
     clamp = path.clamp
     beta, eta, field_angle = mpf(rod.beta), mpf(rod.eta), mpf(rod.field_angle)
     values = {
@@ -132,7 +147,10 @@ def quantities(rod: Rod, path: Path) -> dict[str, Any]:
 
 
 def sensitivity(rod: Rod, tip: Any, digits: int = 24) -> dict[str, float]:
-    """Σ|p ∂quantity/∂p| over the inputs, by differences; the tip is moved along so that θ(0) stays at the clamp."""
+    """Σ|p ∂quantity/∂p| over the inputs of a rod, by differences of half the digits.
+
+    The tip is moved along so that θ(0) stays at the clamp.
+    """
     delta = mpf(10) ** -(digits // 2)
     with mp.workdps(working_digits(rod.beta, rod.eta, rod.length, digits)):
         base = walk(rod, tip, digits)

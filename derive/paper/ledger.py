@@ -35,7 +35,10 @@ class Record:
 
 @dataclass(frozen=True)
 class Difference:
-    """A display that differs between ledger and source: missing on one side, or with other tokens."""
+    """A display that differs between ledger and source: missing on one side, or with other tokens.
+
+    id: its label. line: in the source. kind: what differs. ledger, source: its LaTeX on either side.
+    """
 
     id: str
     line: int
@@ -63,7 +66,7 @@ def load_ledger() -> dict[str, Record]:
 def from_source(text: str, only: Iterable[str] | None = None) -> dict[str, Record]:
     """The records of a LaTeX source: formulas from the source; hypotheses, which stand in its prose, from the ledger.
 
-    only: the ids wanted. ReadError if the source cannot be split into displays.
+    text: the source. only: the ids wanted. ReadError if the source cannot be split into displays.
     """
     wanted = None if only is None else set(only)
     ledger = load_ledger()
@@ -81,7 +84,10 @@ def _merged(display: Display, known: Record | None) -> Record:
 
 
 def compare(ledger: dict[str, Record], source_text: str) -> list[Difference]:
-    """Where ledger and source differ, token by token; spaces, brackets' sizes and closing punctuation do not count."""
+    """Where the ledger and source_text differ, token by token.
+
+    Spaces, brackets' sizes and closing punctuation do not count.
+    """
     source = {display.label: display for display in read_displays(source_text)}
     differences = []
     for label, record in ledger.items():

@@ -23,10 +23,10 @@ __all__ = ["ReadError", "parse"]
 def parse(latex: str, scope: str, start: tuple[int, int] = (1, 1)) -> list[Statement]:
     """The statements of a display, in order.
 
-    scope: a section of ``conventions.toml``. start: line and column of the first character in the whole source.
-    What is said of the letters of a statement after it, i = 1, 2, 3 or s ∈ (0, ℓ), is in its ``where``.
-    ReadError for anything undeclared, ambiguous, ill-typed or left over, with its place; ValueError for a scope
-    that does not exist.
+    latex: what stands between its ``\\begin`` and ``\\end``. scope: a section of ``conventions.toml``. start: line and
+    column of the first character in the whole source. What is said of the letters of a statement after it, i = 1, 2, 3
+    or s ∈ (0, ℓ), is in its ``where``. ReadError for anything undeclared, ambiguous, ill-typed or left over, with its
+    place; ValueError for a scope that does not exist.
     """
     source = Tokeniser(latex, start)
     resolver = Resolver(conventions_of(scope), source.error)

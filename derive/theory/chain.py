@@ -23,8 +23,11 @@ STEPS = ("plane", "quartic", "weierstrass", "shape", "tip", "article", "oblique"
 class Theory:
     """Everything that the energy leads to; mappings are by the name of the load case.
 
-    swing: None for another energy than that of paramagnetic particles. formulas: those that emitted solvers evaluate.
-    steps: formulas that others rest on, and those of the load cases one by one.
+    section2: the vector equations of equilibrium. plane: the plane problem. cases: f, f̂ and their roots. weierstrass:
+    the map to ℘. shapes: y(s) and z(s). tips: the solution from the tip. oblique: that at any field angle. swing: the
+    motion between turning points, None for another energy than that of paramagnetic particles. formulas: those that
+    emitted solvers evaluate. steps: formulas that others rest on, and those of the load cases one by one. book: what
+    was derived, in order, with all claims.
     """
 
     section2: Any = field(repr=False)
@@ -41,14 +44,23 @@ class Theory:
 
 
 def derive_all(energy: Any = None, book: Notebook | None = None) -> Theory:
-    """Run all scripts in order. The energy is that of paramagnetic particles unless another is given."""
+    """Run all scripts in order, which takes some seconds.
+
+    energy: an ``Energy``; that of paramagnetic particles unless another is given. book: the notebook to write in.
+    NotElliptic, a ValueError, if the energy leads to no elliptic function; ValueError if it prefers a direction of
+    space.
+    """
     book = Notebook() if book is None else book
     section2 = equilibrium.derive_section2(energy=energy, book=book)
     return derive_section3(section2, book)
 
 
 def derive_section3(section2: Any, book: Notebook, last: str = STEPS[-1]) -> Any:
-    """Run the scripts of Section 3 from the vector equations of equilibrium, up to a step."""
+    """Run the scripts of Section 3 from the vector equations of equilibrium.
+
+    section2: those equations, from ``equilibrium.derive_section2``. book: the notebook to write in. last: the step to
+    stop after, one of STEPS; what is given back is the result of that step, and after all of them the ``Theory``.
+    """
     plane_problem = plane.derive(section2, book)
     if last == "plane":
         return plane_problem
@@ -79,7 +91,7 @@ def derive_section3(section2: Any, book: Notebook, last: str = STEPS[-1]) -> Any
 
 
 def print_up_to(last: str, energy: Any = None) -> None:
-    """Print the notebook of the derivation up to a script of Section 3."""
+    """Print the notebook of the derivation. last: the step to stop after; energy: as in ``derive_all``."""
     book = Notebook()
     derive_section3(equilibrium.derive_section2(energy=energy, book=book), book, last)
     for line in book.text():

@@ -80,8 +80,9 @@ class Domain:
 class Claim:
     """A relation that the derivation asserts.
 
-    id: ``section.name`` in lower case, unique. title: what it says, in plain words. given: substitutions
-    (symbol or expression, replacement) that hold under the claim's hypotheses, applied in order before proving.
+    id: ``section.name`` in lower case, unique. title: what it says, in plain words. relation: what it asserts.
+    domain: where. given: substitutions (symbol or expression, replacement) that hold under the claim's hypotheses,
+    applied in order before proving.
     steps: ids of the claims it rests on. source: equation of the article or of DLMF, where it has one.
     """
 
@@ -116,7 +117,7 @@ class Formula:
 
 @dataclass(frozen=True)
 class Remark:
-    """One line of a derivation: prose, or a named expression."""
+    """One line of a derivation: prose, or a named expression. text: the prose or the name."""
 
     text: str
     expression: Any = None

@@ -51,7 +51,7 @@ class Energy:
 def derive(energy: Energy, book: Notebook, steps: Iterable[str] = ()) -> Energy:
     """Assert what the energy must satisfy, and give it back; ValueError if it depends on more than h·a.
 
-    steps: the claims from which the energy comes, if it was derived.
+    book: the notebook to write in. steps: the claims from which the energy comes, if it was derived.
     """
     turning = energy.turning(H, DIRECTION)
     if turning.expand() != zeros(3, 1) and simplify(turning) != zeros(3, 1):

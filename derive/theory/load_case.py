@@ -23,10 +23,11 @@ class NotElliptic(ValueError):  # noqa: N818 - a verdict on the energy
 class LoadCase:
     """One load case.
 
-    parameters: β, η as far as they occur. angular_acceleration: θ″ in θ. field_work: −2ψ as a polynomial in ξ.
-    tip_force: β, or 0. constant: γ or γ̄, and gamma: γ in it. f, f_hat: polynomials in ξ (exsl12). force, stiffness:
-    B and H of f̂. roots: those of f̂, ascending. tip_constant: the constant in ξ(ℓ) (exsl23). other_root: the root of
-    f̂ that is not ξ(ℓ), if there are two. ends: of the range of the constant.
+    name: ``parallel``, ``orthogonal``, ``field_only`` or ``force_only``. parameters: β, η as far as they occur.
+    angular_acceleration: θ″ in θ. field_work: −2ψ as a polynomial in ξ. tip_force: β, or 0. constant: γ or γ̄, and
+    gamma: γ in it. f, f_hat: polynomials in ξ (exsl12). force, stiffness: B and H of f̂. roots: those of f̂, ascending.
+    tip_constant: the constant in ξ(ℓ) (exsl23). other_root: the root of f̂ that is not ξ(ℓ), if there are two. ends: of
+    the range of the constant.
     """
 
     name: str
@@ -95,7 +96,7 @@ class LoadCase:
 
 
 def sign_of(stiffness: Expr) -> int:
-    """The sign of an expression in positive parameters that is of one sign."""
+    """The sign of a stiffness, an expression in positive parameters that is of one sign."""
     if stiffness == 0:
         return 0
     return 1 if stiffness.is_nonnegative else -1
