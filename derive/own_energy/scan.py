@@ -1,0 +1,83 @@
+"""All equilibria of a moderate rod by its own law, by brute force in double precision; limits as in ``measure.scan``."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from derive.measure.scan import GRID, NOISE, OFFSETS, ORDER, STIFFEST, Array, bisect, convolve, horner, zeros
+from derive.measure.scan import LONGEST_STEP as STEP
+from derive.own_energy.integration import size_of
+from derive.own_energy.law import Trigonometric, at_loads, evaluate, slope
+
+
+def brute_force(law: dict[str, Any], rod: Any) -> list[float]:
+    """The tip angles of all equilibria, ascending, to about 1e-7; ValueError beyond the limits of doubles."""
+    if rod.length * size_of(rod.loads) > STIFFEST * (1 + 1e-12):
+        raise ValueError(f"brute force is for ℓ√(sum of loads) ≤ {STIFFEST}")
+    at = [float(load) for load in rod.loads], float(np.cos(rod.field_angle)), float(np.sin(rod.field_angle)), float
+    couple, density = at_loads(law["couple"], *at), at_loads(law["density"], *at)
+
+    def miss(tips: Array) -> Array:
+        return shoot(couple, rod, tips)[0] - rod.clamp_angle
+
+    tips = candidates(couple, density, rod.clamp_angle)
+    _, h = shoot(couple, rod, tips)
+    turn = np.flatnonzero(np.signbit(h[1:]) != np.signbit(h[:-1]))
+    extrema = bisect(lambda tip: shoot(couple, rod, tip)[1], tips[turn], tips[turn + 1])
+    tips = np.unique(np.concatenate([tips, extrema]))
+    off = miss(tips)
+    cross = np.flatnonzero(np.signbit(off[1:]) != np.signbit(off[:-1]))
+    found = np.unique(bisect(miss, tips[cross], tips[cross + 1]))
+    return [float(tip) for tip in found[np.diff(found, prepend=-np.inf) > NOISE]]
+
+
+def candidates(couple: Trigonometric, density: Trigonometric, clamp_angle: float) -> Array:
+    """Tip angles to try: an even grid, and offsets from the directions of rest and from the tips at their level."""
+    low, high = clamp_angle - 2 * np.pi, clamp_angle + 2 * np.pi
+    grid = np.linspace(low, high, GRID)
+
+    def value(part: Trigonometric, angle: Array) -> Array:
+        return np.asarray(evaluate(part, np.cos(angle), np.sin(angle)) + 0 * angle)
+
+    rest = zeros(lambda angle: value(couple, angle), np.linspace(low - 7, high + 7, 3 * GRID))
+    levels = [zeros(lambda angle, at=at: value(density, angle) - at, grid) for at in value(density, rest)]  # type: ignore[misc]
+    critical = np.concatenate([rest, *levels])
+    near = np.concatenate([critical[:, None] + OFFSETS, critical[:, None] - OFFSETS]).ravel()
+    tips = np.unique(np.concatenate([grid, critical, near]))
+    return tips[(tips >= low) & (tips <= high)]
+
+
+def shoot(couple: Trigonometric, rod: Any, tips: Array) -> tuple[Array, Array]:
+    """θ(0) and ∂θ(0)/∂θ(ℓ) for rods with the given tip angles, by Taylor steps on all of them at once."""
+    scale = size_of(rod.loads)
+    steps = max(1, int(np.ceil(rod.length * scale / STEP)))
+    step = rod.length * scale / steps
+    bend = {powers: value / scale**2 for powers, value in couple.items()}
+    state = [tips, np.zeros_like(tips), np.cos(tips), np.sin(tips), np.ones_like(tips), np.zeros_like(tips)]
+    for _ in range(steps):
+        state = [horner(series, step) for series in expanded(bend, slope(bend), state)]
+    return state[0], state[4]
+
+
+def expanded(bend: Trigonometric, stiff: Trigonometric, state: list[Array]) -> tuple[list[Array], ...]:
+    """Taylor coefficients of θ, θ_σ, cos θ, sin θ, h, h_σ about a state."""
+    angle, rate, c, s, h, h_rate = series = tuple([part] for part in state)
+    of: dict[tuple[int, int], list[Array]] = {(1, 0): c, (0, 1): s}
+    powers = sorted({(k, j) for i, j in (*bend, *stiff) for k in range(i + 1)} - set(of))
+    stiffness: list[Array] = []
+    for k in range(ORDER):
+        for i, j in powers:
+            one = np.full_like(state[0], k == 0)
+            of.setdefault((i, j), []).append(convolve(of[i - 1, j], c, k) if i else one)
+        stiffness.append(sum((value * of[at][k] for at, value in stiff.items()), start=0 * state[0]))
+        couple = sum((value * of[at][k] for at, value in bend.items()), start=0 * state[0])
+        angle.append(rate[k] / (k + 1))
+        h.append(h_rate[k] / (k + 1))
+        turn_s, turn_c = convolve(c, rate, k), convolve(s, rate, k)
+        h_rate.append(convolve(stiffness, h, k) / (k + 1))
+        rate.append(couple / (k + 1))
+        s.append(turn_s / (k + 1))
+        c.append(-turn_c / (k + 1))
+    return series
