@@ -50,13 +50,10 @@ class OwnModule:
         case = GENERAL_CASE if QUADRATIC in self.reduction.present else "force_only"
         return Scene(self.name, self.title, case, OUTPUTS, tuple(BACKENDS), {})
 
-    def written(self, expr: Expr) -> str:
+    def renamed(self, expr: Expr) -> Expr:
         """An expression with the user's names of the moduli."""
-        return str(expr.subs({letter: Symbol(self.names[letter.name]) for letter in _letters(expr, self.names)}))
-
-
-def _letters(expr: Expr, names: Mapping[str, str]) -> list[Symbol]:
-    return [symbol for symbol in expr.free_symbols if symbol.name in names]
+        letters = [symbol for symbol in expr.free_symbols if symbol.name in self.names]
+        return expr.subs({letter: Symbol(self.names[letter.name], real=True) for letter in letters}, simultaneous=True)
 
 
 def emit_own(theory: Any, own: OwnModule, backend: str) -> EmittedModule:
@@ -112,9 +109,9 @@ def head(own: OwnModule, module: EmittedModule) -> str:
         {
             "title": own.title,
             "arithmetic": BACKENDS[module.backend].title,
-            "density": own.written(own.reduction.density),
+            "density": str(own.renamed(own.reduction.density)),
             "moduli": [f"{own.names[name]} = {value}" for name, value in own.values.items()],
-            "acceleration": own.written(own.reduction.acceleration).replace("alpha", "α").replace("theta", "θ"),
+            "acceleration": str(own.renamed(own.reduction.acceleration)).replace("alpha", "α").replace("theta", "θ"),
             "free": ", ".join([*own.moduli, "clamp_angle", "field_angle"]),
             "solved": f"{solved[0].upper()}{solved[1:]}.",
             "claims": fill(sorted({one.name for one in module.formulas})),

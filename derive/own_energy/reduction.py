@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from sympy import Expr, Integer, Matrix, Poly, Symbol, cancel, cos, diff, expand, expand_trig, oo, pi, sin
+from sympy import Expr, Integer, Matrix, Symbol, cancel, cos, expand, expand_trig, oo, pi, sin
 
 from derive.theory import symbols
 from derive.theory.claims import Domain, Equal, Formula, Notebook
@@ -45,8 +45,8 @@ class Reduction:
     formulas: tuple[Formula, ...]
 
 
-def reduce_plane(own: Plane, known: Plane, book: Notebook) -> Reduction:
-    """Map the plane problem ``own`` of an energy of degree 2 in w at most on ``known``, that of the solver."""
+def reduce_plane(own: Plane, book: Notebook) -> Reduction:
+    """What the solver needs to know of an energy of degree 2 in w at most."""
     signed = {symbols.eta: eta}
     density, acceleration = own.energy_density.subs(signed), own.angular_acceleration.subs(signed)
     book.say("An energy of one's own. Its linear part joins the force")
@@ -55,10 +55,13 @@ def reduce_plane(own: Plane, known: Plane, book: Notebook) -> Reduction:
     book.show("along z", across)
     present = tuple(str(name) for name in (tau, eta) if density.has(name))
     formulas = tuple(write_resultant(along, across, book)) if LINEAR in present else ()
-    reduction = Reduction(density, acceleration, present, along, across, formulas)
-    for sign in (1, -1) if QUADRATIC in present else (0,):
-        claim_law(reduction, own, known, sign, book)
-    return reduction
+    return Reduction(density, acceleration, present, along, across, formulas)
+
+
+def claim_reduction(found: Reduction, own: Plane, known: Plane, book: Notebook) -> None:
+    """Claim that the plane problem ``own`` in turned axes is ``known``, the one that the solver's formulas are for."""
+    for sign in (1, -1) if QUADRATIC in found.present else (0,):
+        claim_law(found, own, known, sign, book)
 
 
 def harmonics(acceleration: Expr) -> tuple[Expr, Expr]:

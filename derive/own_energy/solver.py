@@ -1,0 +1,160 @@
+"""From an energy to a solver: derive, judge, emit, prove, run against references of the energy's own equation."""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, field, replace
+from functools import cached_property
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from sympy import Expr
+
+from derive import output, stages
+from derive.emit.errors import EmitError
+from derive.measure.loading import load
+from derive.numbers import MistakeError
+from derive.own_energy import checks, tasks
+from derive.own_energy.derivation import Derivation, derive_own
+from derive.own_energy.emission import OwnModule, sources
+from derive.own_energy.rods import own_rods
+from derive.runner import Runner
+from derive.theory.energy import Energy
+
+GOOD = {"PROVED", "CERTIFIED", "AGREED"}
+BACKENDS = ("numpy", "mpmath")
+
+
+@dataclass(frozen=True)
+class OwnSolver:
+    """What the chain makes of an energy.
+
+    density: ψ(w) over EI, w = d₃·e. acceleration: θ″. moduli: each parameter of the energy by its own letters, 1/m².
+    claims: of the derivation, with verdicts. modules: by backend, with "text" and "proof". agreements: by backend, how
+    far each is off the references. files: what was written.
+    """
+
+    density: Expr
+    acceleration: Expr
+    moduli: Mapping[str, Expr]
+    claims: Sequence[Mapping[str, Any]] = field(repr=False)
+    modules: Mapping[str, Mapping[str, Any]] = field(repr=False)
+    agreements: Mapping[str, Mapping[str, Any]] = field(repr=False)
+    files: tuple[Path, ...] = ()
+
+    @cached_property
+    def numpy(self) -> ModuleType:
+        """The emitted module in double precision."""
+        return load(self.modules["numpy"]["text"])
+
+    @cached_property
+    def mpmath(self) -> ModuleType:
+        """Its twin in any precision."""
+        return load(self.modules["mpmath"]["text"])
+
+    def report(self) -> str:
+        """What was derived, and what speaks for it, in a few lines."""
+        verdicts = Counter(str(claim["verdict"]) for claim in self.claims)
+        lines = [f"energy over EI by w = d₃·e: {self.density}", f"θ″ = {self.acceleration}"]
+        lines += [f"{name} = {value}" for name, value in self.moduli.items()]
+        lines += [f"claims: {', '.join(f'{count} {verdict}' for verdict, count in sorted(verdicts.items()))}"]
+        for backend, module in self.modules.items():
+            worst = max(row["roundings"] for row in self.agreements[backend]["rows"])
+            count = self.agreements[backend]["equilibria"]
+            proof = f"{len(module['proof'])} formulas read back and proved"
+            lines.append(f"{module['name']}: {proof}; {count} equilibria of references, {worst:.1f} roundings off at most")
+        return "\n".join(lines)
+
+
+def solver(
+    energy: Energy,
+    *,
+    names: Mapping[str, str] | None = None,
+    name: str = "",
+    out: Path | str | None = None,
+    runner: Runner | None = None,
+) -> OwnSolver:
+    """The solver of a rod with an energy of one's own, all of it proved and run, or nothing.
+
+    names: other names for the moduli "tau" (of the linear part) and "eta" (of the quadratic part), which are parameters
+    of the modules. name: of the modules; else made from the energy's. out: the folder to write them to, if any.
+    runner: a cache, a number of processes, progress.
+
+    MistakeError says, in a line, why the chain cannot take an energy. stages.DerivationError and EmitError mean that a
+    claim, or a module, does not hold; then nothing is written.
+    """
+    folder = Path(out) if out is not None else None
+    if folder:
+        output.must_be_usable(folder)
+    runner = _able(runner or Runner())
+    derivation = derive_own(energy)
+    stem = _stem(name or re.sub(r"\W+", "_", energy.name.lower(), flags=re.ASCII).strip("_"))
+    named = {letter: letter for letter in derivation.reduction.present}
+    plain = OwnModule(stem, stem, derivation.reduction, named, derivation.moduli)
+    checks.check_names(names or {}, named, sources(plain, "numpy")["api"] + sources(plain, "mpmath")["api"])
+    named |= names or {}
+    tasks.hold(derivation)
+    claims = judged(runner, derivation)
+    modules = emitted(runner, derivation, stem, named)
+    agreements = compared(runner, derivation, modules, named)
+    files = {folder / f"{one['name']}.py": one["text"] for one in modules.values()} if folder else {}
+    output.write_all(files)
+    moduli = {named[letter]: value for letter, value in derivation.moduli.items()}
+    reduction = OwnModule(stem, stem, derivation.reduction, named, derivation.moduli)
+    shown = reduction.renamed(derivation.reduction.density), reduction.renamed(derivation.reduction.acceleration)
+    return OwnSolver(*shown, moduli, claims, modules, agreements, tuple(files))
+
+
+def judged(runner: Runner, derivation: Derivation) -> list[dict[str, Any]]:
+    """All claims with their verdicts; DerivationError names the first that does not hold."""
+    key = derivation.key
+    listed = runner.result(tasks.list_task(key))
+    wanted = [tasks.claim_task(key, one["id"]) for one in listed]
+    found = runner.results(wanted, lambda: tasks.finished(key))
+    for claim in found:
+        if claim["verdict"] not in GOOD:
+            why = claim["reason"] or ", ".join(f"{name} = {value}" for name, value in claim["counterexample"].items())
+            whose = checks.whose(derivation.energy)
+            raise stages.DerivationError(
+                f"{whose}: {claim['title']} ({claim['id']}) is {claim['verdict']}: {why}; nothing is emitted"
+            )
+    return [{**claim, "steps": one["steps"]} for one, claim in zip(listed, found, strict=True)]
+
+
+def emitted(runner: Runner, derivation: Derivation, stem: str, names: Mapping[str, str]) -> dict[str, dict[str, Any]]:
+    """The modules by backend, read back and proved; EmitError if one is not."""
+    wanted = [tasks.emit_task(derivation.key, stem, dict(names), backend) for backend in BACKENDS]
+    found = dict(zip(BACKENDS, runner.results(wanted, stages.theory), strict=True))
+    for module in found.values():
+        if module["failure"]:
+            raise EmitError(f"{module['name']}: {module['failure']}")
+    return found
+
+
+def compared(
+    runner: Runner, derivation: Derivation, modules: Mapping[str, dict[str, Any]], names: Mapping[str, str]
+) -> dict[str, dict[str, Any]]:
+    """How far the modules are off the references; EmitError if one is further than rounding allows."""
+    present = derivation.reduction.present
+    rods = [asdict(rod) for rod in own_rods(("beta", *(names[letter] for letter in present)), present)]
+    known = runner.results([tasks.reference_task(derivation.law, rod) for rod in rods])
+    found = runner.results([tasks.agree_task(module, rods, known) for module in modules.values()])
+    for module, result in zip(modules.values(), found, strict=True):
+        if result["faults"]:
+            raise EmitError(f"{module['name']} does not agree with its equation: {result['faults'][0]}; it is not written")
+    return dict(zip(modules, found, strict=True))
+
+
+def _able(runner: Runner) -> Runner:
+    """A runner whose processes know the energy: where they are not forked, this one alone."""
+    return runner if sys.platform == "linux" else replace(runner, jobs=1)
+
+
+def _stem(name: str) -> str:
+    if not re.fullmatch(r"[a-z][a-z0-9_]*", name):
+        raise MistakeError(f"name '{name}' of the modules must be lower-case letters, digits and underscores; give one")
+    return name
