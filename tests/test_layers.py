@@ -28,6 +28,7 @@ RANK = {
     "pdf": 8,
     "runner": 8,
     "pipeline": 9,
+    "own_energy": 9,
     "explain": 9,
     "show": 10,
     "commands": 11,

@@ -6,7 +6,7 @@ import ast
 import keyword
 from collections.abc import Iterable, Mapping
 
-from sympy import Expr, Float, Poly, PolynomialError, sympify
+from sympy import Expr, Float, I, Poly, PolynomialError, nan, sympify, zoo
 
 from derive.check.timing import TimeLimit, limited
 from derive.emit.errors import choices
@@ -23,39 +23,52 @@ TAKEN = "taken are energies of degree 1 and 2 in w = d3.e: permanent and paramag
 
 
 def check_energy(energy: Energy) -> None:
-    """MistakeError unless the energy can be derived from: exact, real, of h·a alone, a polynomial that is no constant."""
+    """MistakeError unless the energy is exact and real, of h·a alone, and by it a polynomial that is no constant."""
     if not isinstance(energy, Energy):
         raise MistakeError(f"an Energy(name, density) is wanted, not {energy!r}; see docs/own_energy.md")
     if not energy.name.isprintable() or not energy.name.strip() or set('"\\') & set(energy.name):
-        raise MistakeError(f"the name of the energy, {energy.name!r}, must be printable text without quotes or backslashes")
+        raise MistakeError(
+            f"the name of the energy, {energy.name!r}, must be printable text without quotes or backslashes"
+        )
     density = density_of(energy)
     for number in density.atoms(Float):
-        raise MistakeError(f"{whose(energy)} holds the float {number}; write it as an exact number, Rational(1, 2) for 0.5")
+        raise MistakeError(
+            f"{whose(energy)} holds the float {number}; write it as an exact number, Rational(1, 2) for 0.5"
+        )
+    if density.has(I):
+        raise MistakeError(f"{whose(energy)} holds the imaginary unit; it must be real")
     for letter in sorted(density.free_symbols - {*H, *DIRECTION}, key=str):
         if not letter.is_real:
-            raise MistakeError(f"{whose(energy)} holds the letter {letter}, not known to be real; Symbol('{letter}', real=True)")
+            raise MistakeError(
+                f"{whose(energy)} holds the letter {letter}, not known to be real; Symbol('{letter}', real=True)"
+            )
     try:
         with limited(SECONDS):
             energy_script.derive(energy, Notebook())
             psi = of_alignment(energy)
-            polynomial = Poly(psi, w) if psi.is_polynomial(w) else None
+            polynomial = Poly(psi, w) if psi.is_polynomial(w) and not psi.has(nan, zoo) else None
     except (ValueError, PolynomialError) as error:
         raise MistakeError(str(error)) from error
     except TimeLimit as limit:
-        raise MistakeError(f"{whose(energy)} could not be worked out in {SECONDS:g} s; write it as a polynomial in h.dot(a)") from limit
-    if polynomial is None:
         raise MistakeError(
-            f"{whose(energy)} is not elliptic: by w = d3.e it is {psi}, no polynomial, so the square of a rod's curvature "
-            f"is none in cos(theta) and sin(theta), and its length is no elliptic integral; {TAKEN}"
+            f"{whose(energy)} could not be worked out in {SECONDS:g} s; write it as a polynomial in h.dot(a)"
+        ) from limit
+    if polynomial is None:
+        form = "undefined at w = 0" if psi.has(nan, zoo) else psi
+        raise MistakeError(
+            f"{whose(energy)} is not elliptic: by w = d3.e it is {form}, no polynomial, so the square of a rod's "
+            f"curvature is none in cos(theta) and sin(theta), and its length is no elliptic integral; {TAKEN}"
         )
     if polynomial.degree() < 1:
-        raise MistakeError(f"{whose(energy)} does not depend on the direction of the rod; without a field, take force_only")
+        raise MistakeError(
+            f"{whose(energy)} does not depend on the direction of the rod; without a field, take force_only"
+        )
 
 
 def density_of(energy: Energy) -> Expr:
     """The density as an expression in H and DIRECTION; MistakeError if it is none."""
     density = sympify(energy.density(H, DIRECTION), strict=True) if callable(energy.density) else None
-    if not isinstance(density, Expr):
+    if not isinstance(density, Expr) or density.is_Matrix:
         raise MistakeError(f"{whose(energy)} must be a function density(h, a) that gives a scalar, not {density!r}")
     return density
 
@@ -73,12 +86,14 @@ def check_curve(energy: Energy, density: Expr, curve: Curve) -> None:
     )
 
 
-def check_names(names: Mapping[str, str], present: Iterable[str], interface: str) -> None:
-    """MistakeError unless ``names`` gives moduli that are there names that the emitted interface has free."""
+def check_names(names: Mapping[str, str], present: Iterable[str], *interfaces: str) -> None:
+    """MistakeError unless ``names`` gives moduli that are there names that the emitted interfaces have free."""
     present = tuple(present)
-    # Every name that the interface uses, but for the moduli that are to be renamed.
-    taken = {n.id for n in ast.walk(ast.parse(interface)) if isinstance(n, ast.Name)}
-    taken |= {n.arg for n in ast.walk(ast.parse(interface)) if isinstance(n, ast.arg)} | {"dps"}
+    # Every name that the interfaces use, but for the moduli that are to be renamed.
+    nodes = [node for text in interfaces for node in ast.walk(ast.parse(text))]
+    taken = (
+        {n.id for n in nodes if isinstance(n, ast.Name)} | {n.arg for n in nodes if isinstance(n, ast.arg)} | {"dps"}
+    )
     for letter, name in names.items():
         if letter not in present:
             raise MistakeError(f"names: the energy has no modulus '{letter}'{choices(letter, present)}")

@@ -1,4 +1,4 @@
-"""The module of an energy of one's own: the solver's kernels, with an interface that turns the axes and turns them back."""
+"""The module of an energy of one's own: the solver's kernels, with an interface that turns the axes and back."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ _MEANING = {
 
 @dataclass(frozen=True)
 class OwnModule:
-    """What is emitted. name, title: of the module. names: the user's names of the moduli. values: of these, in SI letters."""
+    """What is emitted: its name and title, the user's names of the moduli, and the values of these in SI letters."""
 
     name: str
     title: str
@@ -68,11 +68,16 @@ def emit_own(theory: Any, own: OwnModule, backend: str) -> EmittedModule:
 def sources(own: OwnModule, backend: str) -> dict[str, str]:
     """The kernel files, with the interface of an energy of one's own in the place of the usual one."""
     found = {stem: re.sub(r"\bEquilibrium\b", "Reduced", text) for stem, text in read_kernels().items()}
-    del found["api_mpmath"]
+    found.pop("api_mpmath", None)
     found["standard_api"] = found["api"]
     found["own_resultant"] = render("own_resultant.py.jinja", {})
-    found["api"] = render("own_api.py.jinja", _interface(own, backend))
+    found["api"] = interface(own, backend)
     return found
+
+
+def interface(own: OwnModule, backend: str) -> str:
+    """The kernel file of the interface."""
+    return render("own_api.py.jinja", _interface(own, backend))
 
 
 def _interface(own: OwnModule, backend: str) -> dict[str, Any]:

@@ -23,7 +23,8 @@ eta = Symbol("eta", real=True)  # here of either sign
 B = Symbol("B", positive=True)  # the resultant of the force and the linear part of the energy
 rho = Symbol("rho", real=True)  # its angle from y
 phi = Symbol("phi", real=True)  # θ − ρ
-one, other, between = Symbol("one", real=True), Symbol("other", real=True), Symbol("between", real=True)
+one, other, between = (Symbol(name, real=True) for name in ("one", "other", "between"))  # two forces, their angle
+total, gap = Symbol("total", real=True), Symbol("gap", real=True)  # their sum and their difference
 
 LINEAR, QUADRATIC = "tau", "eta"
 
@@ -78,14 +79,16 @@ def write_resultant(along: Expr, across: Expr, book: Notebook) -> Iterable[Formu
     """
     forces = Domain({one: (-oo, oo), other: (-oo, oo), between: (-oo, oo)})
     roles = {beta: one, tau: other, alpha: between}
+    # The sum and the difference of the sizes are arguments: they must be formed first, and not with the other term.
     forms = {
-        "along_near": ((one + other) - 2 * other * sin(between / 2) ** 2, "two forces less than a quarter turn apart"),
-        "along_opposed": ((one - other) + 2 * other * cos(between / 2) ** 2, "two forces more than a quarter apart"),
+        "along_near": (total, one + other, total - 2 * other * sin(between / 2) ** 2, "less"),
+        "along_opposed": (gap, one - other, gap + 2 * other * cos(between / 2) ** 2, "more"),
     }
-    for name, (form, doc) in forms.items():
-        same = Equal(form, along.subs(roles))
-        book.claim(f"own.{name}", f"the part along the first of {doc}", same, domain=forces, steps=["plane.moment"])
-        yield Formula(name, (one, other, between), form, f"own.{name}", f"the part along the first of {doc}")
+    for name, (sizes, value, form, how) in forms.items():
+        title = f"the part along the first of two forces {how} than a quarter turn apart, {sizes}: {value}"
+        same = Equal(form.subs(sizes, value), along.subs(roles))
+        book.claim(f"own.{name}", title, same, domain=forces, steps=["plane.moment"])
+        yield Formula(name, (sizes, other, between), form, f"own.{name}", title)
     title = "the part across the first force, towards the other"
     aside = across.subs(roles)
     same = Equal(aside, other * sin(between))
@@ -94,7 +97,10 @@ def write_resultant(along: Expr, across: Expr, book: Notebook) -> Iterable[Formu
     # Seen from the field, the force is the other of the two, on the other side.
     seen = Matrix([along * cos(alpha) + across * sin(alpha), along * sin(alpha) - across * cos(alpha)])
     exchanged = Matrix([part.subs({beta: tau, tau: beta}, simultaneous=True) for part in (along, across)])
-    title, where = "seen from the field, force and linear part change places", Domain(dict.fromkeys((beta, tau), (0, oo)))
+    title, where = (
+        "seen from the field, force and linear part change places",
+        Domain(dict.fromkeys((beta, tau), (0, oo))),
+    )
     steps = ["own.along_near", "own.along_opposed", "own.across"]
     book.claim("own.exchange", title, Equal(seen, exchanged), domain=where.with_range(alpha), steps=steps)
 

@@ -58,6 +58,7 @@ class Measured(Rod):
     text: str = ""
 
     def __str__(self) -> str:
+        """One line for errors."""
         return self.text
 
 

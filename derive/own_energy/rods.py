@@ -1,4 +1,4 @@
-"""The rods on which the module of an energy is run: loads of all signs, present and absent, and some that nearly cancel."""
+"""The rods on which the module of an energy is run: loads of all signs, absent ones, some that nearly cancel."""
 
 from __future__ import annotations
 
@@ -19,13 +19,16 @@ _KINDS: tuple[tuple[float, float, tuple[int, int], float, float, float], ...] = 
 
 
 def own_rods(names: tuple[str, ...], present: tuple[str, ...]) -> list[OwnRod]:
-    """Moderate rods for an energy. names: of the loads, the force first. present: which of "tau", "eta" they stand for."""
+    """Moderate rods. names: of the loads, the force first. present: which of "tau", "eta" the others are."""
     found = []
     for scaled, share, (linear, quadratic), clamp, field, length in _KINDS:
         stiffness = (scaled / length) ** 2
         signs = {"tau": linear, "eta": quadratic}
         each = stiffness * (1 - share) / len(present)
         balanced = share == 1 / 2 and "tau" in present
-        loads = [stiffness * share, *(signs[one] * (stiffness / 2 if balanced and one == "tau" else each) for one in present)]
+        loads = [
+            stiffness * share,
+            *(signs[one] * (stiffness / 2 if balanced and one == "tau" else each) for one in present),
+        ]
         found.append(OwnRod(names, tuple(loads), length, clamp, field))
     return found

@@ -1,4 +1,4 @@
-"""All equilibria of a moderate rod by its own law, by brute force in double precision; limits as in ``measure.scan``."""
+"""All equilibria of a moderate rod by its own law, by brute force in doubles; limits as in ``measure.scan``."""
 
 from __future__ import annotations
 

@@ -20,7 +20,7 @@ from derive.measure.loading import load
 from derive.numbers import MistakeError
 from derive.own_energy import checks, tasks
 from derive.own_energy.derivation import Derivation, derive_own
-from derive.own_energy.emission import OwnModule, sources
+from derive.own_energy.emission import OwnModule, interface
 from derive.own_energy.rods import own_rods
 from derive.runner import Runner
 from derive.theory.energy import Energy
@@ -66,7 +66,9 @@ class OwnSolver:
             worst = max(row["roundings"] for row in self.agreements[backend]["rows"])
             count = self.agreements[backend]["equilibria"]
             proof = f"{len(module['proof'])} formulas read back and proved"
-            lines.append(f"{module['name']}: {proof}; {count} equilibria of references, {worst:.1f} roundings off at most")
+            lines.append(
+                f"{module['name']}: {proof}; {count} equilibria of references, {worst:.1f} roundings off at most"
+            )
         return "\n".join(lines)
 
 
@@ -95,7 +97,7 @@ def solver(
     stem = _stem(name or re.sub(r"\W+", "_", energy.name.lower(), flags=re.ASCII).strip("_"))
     named = {letter: letter for letter in derivation.reduction.present}
     plain = OwnModule(stem, stem, derivation.reduction, named, derivation.moduli)
-    checks.check_names(names or {}, named, sources(plain, "numpy")["api"] + sources(plain, "mpmath")["api"])
+    checks.check_names(names or {}, named, interface(plain, "numpy"), interface(plain, "mpmath"))
     named |= names or {}
     tasks.hold(derivation)
     claims = judged(runner, derivation)
@@ -145,7 +147,9 @@ def compared(
     found = runner.results([tasks.agree_task(module, rods, known) for module in modules.values()])
     for module, result in zip(modules.values(), found, strict=True):
         if result["faults"]:
-            raise EmitError(f"{module['name']} does not agree with its equation: {result['faults'][0]}; it is not written")
+            raise EmitError(
+                f"{module['name']} does not agree with its equation: {result['faults'][0]}; it is not written"
+            )
     return dict(zip(modules, found, strict=True))
 
 
