@@ -6,7 +6,7 @@ import ast
 import keyword
 from collections.abc import Iterable, Mapping
 
-from sympy import Expr, Float, I, Poly, PolynomialError, nan, sympify, zoo
+from sympy import Expr, Float, I, Poly, nan, sympify, zoo
 
 from derive.check.timing import TimeLimit, limited
 from derive.emit.errors import choices
@@ -30,6 +30,22 @@ def check_energy(energy: Energy) -> None:
         raise MistakeError(
             f"the name of the energy, {energy.name!r}, must be printable text without quotes or backslashes"
         )
+    check_letters(energy)
+    psi = by_alignment(energy)
+    if not psi.is_polynomial(w) or psi.has(nan, zoo):
+        form = "undefined at w = 0" if psi.has(nan, zoo) else psi
+        raise MistakeError(
+            f"{whose(energy)} is not elliptic: by w = d3.e it is {form}, no polynomial, so the square of a rod's "
+            f"curvature is none in cos(theta) and sin(theta), and its length is no elliptic integral; {TAKEN}"
+        )
+    if Poly(psi, w).degree() < 1:
+        raise MistakeError(
+            f"{whose(energy)} does not depend on the direction of the rod; without a field, take force_only"
+        )
+
+
+def check_letters(energy: Energy) -> None:
+    """MistakeError unless the density is exact and its letters are real."""
     density = density_of(energy)
     for number in density.atoms(Float):
         raise MistakeError(
@@ -42,34 +58,30 @@ def check_energy(energy: Energy) -> None:
             raise MistakeError(
                 f"{whose(energy)} holds the letter {letter}, not known to be real; Symbol('{letter}', real=True)"
             )
+
+
+def by_alignment(energy: Energy) -> Expr:
+    """A · (energy per unit volume) by w, less its value at w = 0; MistakeError if it is no function of w."""
     try:
         with limited(SECONDS):
             energy_script.derive(energy, Notebook())
-            psi = of_alignment(energy)
-            polynomial = Poly(psi, w) if psi.is_polynomial(w) and not psi.has(nan, zoo) else None
-    except (ValueError, PolynomialError) as error:
+            return of_alignment(energy)
+    except ValueError as error:
         raise MistakeError(str(error)) from error
     except TimeLimit as limit:
         raise MistakeError(
             f"{whose(energy)} could not be worked out in {SECONDS:g} s; write it as a polynomial in h.dot(a)"
         ) from limit
-    if polynomial is None:
-        form = "undefined at w = 0" if psi.has(nan, zoo) else psi
-        raise MistakeError(
-            f"{whose(energy)} is not elliptic: by w = d3.e it is {form}, no polynomial, so the square of a rod's "
-            f"curvature is none in cos(theta) and sin(theta), and its length is no elliptic integral; {TAKEN}"
-        )
-    if polynomial.degree() < 1:
-        raise MistakeError(
-            f"{whose(energy)} does not depend on the direction of the rod; without a field, take force_only"
-        )
 
 
 def density_of(energy: Energy) -> Expr:
     """The density as an expression in H and DIRECTION; MistakeError if it is none."""
     density = sympify(energy.density(H, DIRECTION), strict=True) if callable(energy.density) else None
     if not isinstance(density, Expr) or density.is_Matrix:
-        raise MistakeError(f"{whose(energy)} must be a function density(h, a) that gives a scalar, not {density!r}")
+        kind = type(density).__name__
+        raise MistakeError(
+            f"{whose(energy)} must be a function density(h, a) that gives a scalar expression, no {kind}"
+        )
     return density
 
 

@@ -16,6 +16,7 @@ from derive.emit.kernel_files import read_kernels
 from derive.emit.module import EmittedModule, emit_module
 from derive.emit.render import render
 from derive.emit.scene import GENERAL_CASE, Scene
+from derive.own_energy.derivation import Derivation
 from derive.own_energy.reduction import LINEAR, QUADRATIC, Reduction
 
 OUTPUTS = ("equilibria", "shape", "sweep")
@@ -54,6 +55,13 @@ class OwnModule:
         """An expression with the user's names of the moduli."""
         letters = [symbol for symbol in expr.free_symbols if symbol.name in self.names]
         return expr.subs({letter: Symbol(self.names[letter.name], real=True) for letter in letters}, simultaneous=True)
+
+
+def own_module(derivation: Derivation, name: str, names: Mapping[str, str]) -> OwnModule:
+    """The module of an energy; ``names`` are other names for moduli."""
+    called = {letter: names.get(letter, letter) for letter in derivation.reduction.present}
+    title = f"Clamped rod of {derivation.energy.name}"
+    return OwnModule(name, title, derivation.reduction, called, derivation.moduli)
 
 
 def emit_own(theory: Any, own: OwnModule, backend: str) -> EmittedModule:

@@ -20,7 +20,7 @@ from derive.measure.loading import load
 from derive.numbers import MistakeError
 from derive.own_energy import checks, tasks
 from derive.own_energy.derivation import Derivation, derive_own
-from derive.own_energy.emission import OwnModule, interface
+from derive.own_energy.emission import OwnModule, interface, own_module
 from derive.own_energy.rods import own_rods
 from derive.runner import Runner
 from derive.theory.energy import Energy
@@ -94,21 +94,26 @@ def solver(
         output.must_be_usable(folder)
     runner = _able(runner or Runner())
     derivation = derive_own(energy)
-    stem = _stem(name or re.sub(r"\W+", "_", energy.name.lower(), flags=re.ASCII).strip("_"))
-    named = {letter: letter for letter in derivation.reduction.present}
-    plain = OwnModule(stem, stem, derivation.reduction, named, derivation.moduli)
-    checks.check_names(names or {}, named, interface(plain, "numpy"), interface(plain, "mpmath"))
-    named |= names or {}
+    own = named(derivation, name, names or {})
     tasks.hold(derivation)
     claims = judged(runner, derivation)
-    modules = emitted(runner, derivation, stem, named)
-    agreements = compared(runner, derivation, modules, named)
+    modules = emitted(runner, derivation, own)
+    agreements = compared(runner, derivation, own, modules)
     files = {folder / f"{one['name']}.py": one["text"] for one in modules.values()} if folder else {}
     output.write_all(files)
-    moduli = {named[letter]: value for letter, value in derivation.moduli.items()}
-    reduction = OwnModule(stem, stem, derivation.reduction, named, derivation.moduli)
-    shown = reduction.renamed(derivation.reduction.density), reduction.renamed(derivation.reduction.acceleration)
-    return OwnSolver(*shown, moduli, claims, modules, agreements, tuple(files))
+    moduli = {own.names[letter]: value for letter, value in derivation.moduli.items()}
+    density, acceleration = own.renamed(own.reduction.density), own.renamed(own.reduction.acceleration)
+    return OwnSolver(density, acceleration, moduli, claims, modules, agreements, tuple(files))
+
+
+def named(derivation: Derivation, name: str, names: Mapping[str, str]) -> OwnModule:
+    """The module to be, under the names that the user gives; MistakeError if one of them cannot be."""
+    stem = name or re.sub(r"\W+", "_", derivation.energy.name.lower(), flags=re.ASCII).strip("_")
+    if not re.fullmatch(r"[a-z][a-z0-9_]*", stem):
+        raise MistakeError(f"name '{stem}' of the modules must be lower-case letters, digits and underscores; give one")
+    own = own_module(derivation, stem, {})
+    checks.check_names(names, own.names, *(interface(own, backend) for backend in BACKENDS))
+    return own_module(derivation, stem, names)
 
 
 def judged(runner: Runner, derivation: Derivation) -> list[dict[str, Any]]:
@@ -127,9 +132,9 @@ def judged(runner: Runner, derivation: Derivation) -> list[dict[str, Any]]:
     return [{**claim, "steps": one["steps"]} for one, claim in zip(listed, found, strict=True)]
 
 
-def emitted(runner: Runner, derivation: Derivation, stem: str, names: Mapping[str, str]) -> dict[str, dict[str, Any]]:
+def emitted(runner: Runner, derivation: Derivation, own: OwnModule) -> dict[str, dict[str, Any]]:
     """The modules by backend, read back and proved; EmitError if one is not."""
-    wanted = [tasks.emit_task(derivation.key, stem, dict(names), backend) for backend in BACKENDS]
+    wanted = [tasks.emit_task(derivation.key, own.name, dict(own.names), backend) for backend in BACKENDS]
     found = dict(zip(BACKENDS, runner.results(wanted, stages.theory), strict=True))
     for module in found.values():
         if module["failure"]:
@@ -138,11 +143,10 @@ def emitted(runner: Runner, derivation: Derivation, stem: str, names: Mapping[st
 
 
 def compared(
-    runner: Runner, derivation: Derivation, modules: Mapping[str, dict[str, Any]], names: Mapping[str, str]
+    runner: Runner, derivation: Derivation, own: OwnModule, modules: Mapping[str, dict[str, Any]]
 ) -> dict[str, dict[str, Any]]:
     """How far the modules are off the references; EmitError if one is further than rounding allows."""
-    present = derivation.reduction.present
-    rods = [asdict(rod) for rod in own_rods(("beta", *(names[letter] for letter in present)), present)]
+    rods = [asdict(rod) for rod in own_rods(("beta", *own.moduli), own.reduction.present)]
     known = runner.results([tasks.reference_task(derivation.law, rod) for rod in rods])
     found = runner.results([tasks.agree_task(module, rods, known) for module in modules.values()])
     for module, result in zip(modules.values(), found, strict=True):
@@ -156,9 +160,3 @@ def compared(
 def _able(runner: Runner) -> Runner:
     """A runner whose processes know the energy: where they are not forked, this one alone."""
     return runner if sys.platform == "linux" else replace(runner, jobs=1)
-
-
-def _stem(name: str) -> str:
-    if not re.fullmatch(r"[a-z][a-z0-9_]*", name):
-        raise MistakeError(f"name '{name}' of the modules must be lower-case letters, digits and underscores; give one")
-    return name

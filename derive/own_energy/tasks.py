@@ -47,10 +47,9 @@ def emit(key: str, name: str, names: dict[str, str], backend: str) -> dict[str, 
     """One module, printed, read back and proved; "failure" says why it must not be written, if it must not."""
     from derive.emit.errors import EmitError
     from derive.emit.proof import prove_module
-    from derive.own_energy.emission import OwnModule, emit_own
+    from derive.own_energy.emission import emit_own, own_module
 
-    held = _held[key]
-    own = OwnModule(name, f"Clamped rod of {held.energy.name}", held.reduction, names, held.moduli)
+    own = own_module(_held[key], name, names)
     found = {"name": f"{name}_{backend}", "backend": backend, "text": "", "proof": [], "failure": ""}
     try:
         module = emit_own(stages.theory(), own, backend)
