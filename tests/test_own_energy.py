@@ -40,6 +40,7 @@ from derive.theory.symbols import eta
 from generated import oblique_numpy
 
 ROOT = Path(__file__).resolve().parent.parent
+GUIDE = (ROOT / "docs" / "own_energy.md").read_text(encoding="utf-8")
 k = Symbol("k", positive=True)
 DENSITIES = {"linear": -tau * w, "quadratic": -eta * w**2 / 2, "mixed": -tau * w - eta * w**2 / 2}
 
@@ -219,9 +220,7 @@ def test_what_the_chain_cannot_take_is_said_in_a_line(name):
 
 def test_the_refusal_of_the_guide():
     """A fourth power: the last Python of the guide, and what it prints."""
-    code, printed = re.findall(r"```(?:python)?\n(.*?)```", (ROOT / "docs" / "own_energy.md").read_text(), re.DOTALL)[
-        -2:
-    ]
+    code, printed = re.findall(r"```(?:python)?\n(.*?)```", GUIDE, re.DOTALL)[-2:]
     run = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=False)
     assert run.returncode == 1
     assert run.stderr.splitlines()[-1] == f"derive.numbers.{printed.strip()}"

@@ -18,9 +18,11 @@ from hypothesis import strategies as st
 from scenes_standin import THEORY
 from sympy import Symbol
 from test_layers import ALLOWED_IN_GENERATED, imports
-from test_own_energy import DENSITIES, ROOT, k, mapped
+from test_own_energy import DENSITIES, GUIDE, ROOT, k, mapped
 
 from derive.emit.errors import EmitError
+from derive.emit.kernel_files import KernelFiles, parse_kernel
+from derive.emit.pieces import parameters_of
 from derive.emit.proof import prove_module
 from derive.measure.agreement import DOUBLE
 from derive.measure.loading import load
@@ -73,6 +75,22 @@ def angle_and_position(equilibrium, s):
     return 0 * s, 0 * s, s, 0 * s
 ''',
 }
+
+
+def test_the_echo_is_asked_as_the_solver_is():
+    """What the interface takes from the kernels is there, with the parameters that the echo has."""
+    for backend in ("numpy", "mpmath"):
+        own = OwnModule("m", "m", mapped(DENSITIES["mixed"])[0], {"tau": "tau", "eta": "eta"}, {})
+        files = KernelFiles(emission.sources(own, backend), backend)
+        taken = [origin for origin in files.files["api"].imports.values() if isinstance(origin, tuple)]
+        assert len(taken) > 10
+        assert [origin for origin in taken if files.lookup(*origin) is None] == []
+    for stem, text in ECHO.items():
+        for name, there in parse_kernel(stem, text).definitions.items():
+            if there.kind == "function":
+                assert parameters_of(files.lookup(stem, name).node) == parameters_of(there.node), name
+
+
 NAMES = {"tau": "mu", "eta": "kappa"}
 
 
@@ -189,6 +207,19 @@ def test_the_example(tmp_path):
         assert {name.split(".")[0] for name in imports(path)} <= ALLOWED_IN_GENERATED
     lint = [sys.executable, "-m", "ruff", "check", "--config", "pyproject.toml", str(tmp_path)]
     assert subprocess.run(lint, cwd=ROOT, capture_output=True, text=True, check=False).returncode == 0
+
+
+@pytest.mark.long
+def test_the_guide(tmp_path):
+    """The first Python of the guide runs as it stands."""
+    code = re.search(r"```python\n(.*?)```", GUIDE, re.DOTALL)[1]
+    found = {"__name__": "guide"}
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(tmp_path)
+        exec(compile(code, "own_energy.md", "exec"), found)
+    assert [one.index for one in found["found"]] == [0, 1, 0]
+    assert {claim["verdict"] for claim in found["magnet"].claims} == {"PROVED"}
+    assert len(list((tmp_path / "magnet").iterdir())) == 2
 
 
 @pytest.mark.long

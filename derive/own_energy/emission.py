@@ -124,7 +124,7 @@ def head(own: OwnModule, module: EmittedModule) -> str:
             "arithmetic": BACKENDS[module.backend].title,
             "density": str(own.renamed(own.reduction.density)),
             "moduli": [f"{own.names[name]} = {value}" for name, value in own.values.items()],
-            "acceleration": str(own.renamed(own.reduction.acceleration)).replace("alpha", "α").replace("theta", "θ"),
+            "acceleration": str(own.renamed(own.reduction.equation)).replace("alpha", "α").replace("theta", "θ"),
             "free": ", ".join([*own.moduli, "clamp_angle", "field_angle"]),
             "solved": f"{solved[0].upper()}{solved[1:]}.",
             "claims": fill(sorted({one.name for one in module.formulas})),

@@ -11,11 +11,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from sympy import Expr, Integer, Matrix, Symbol, cancel, cos, expand, expand_trig, oo, pi, sin
+from sympy import Expr, Integer, Matrix, Symbol, cancel, cos, diff, expand, expand_trig, oo, pi, sin
 
 from derive.theory import symbols
 from derive.theory.claims import Domain, Equal, Formula, Notebook
-from derive.theory.letters import tau
+from derive.theory.letters import tau, w
 from derive.theory.plane import Plane
 from derive.theory.symbols import alpha, beta, gamma, theta, xi
 
@@ -45,6 +45,11 @@ class Reduction:
     across: Expr
     formulas: tuple[Formula, ...]
 
+    @property
+    def equation(self) -> Expr:
+        """θ″ by the variation of the energy (plane.variation), which is the shorter form."""
+        return diff(self.density.subs(w, cos(theta - alpha)) - beta * cos(theta), theta)
+
 
 def reduce_plane(own: Plane, book: Notebook) -> Reduction:
     """What the solver needs to know of an energy of degree 2 in w at most."""
@@ -63,6 +68,10 @@ def claim_reduction(found: Reduction, own: Plane, known: Plane, book: Notebook) 
     """Claim that the plane problem ``own`` in turned axes is ``known``, the one that the solver's formulas are for."""
     for sign in (1, -1) if QUADRATIC in found.present else (0,):
         claim_law(found, own, known, sign, book)
+    # d₃ = (cos θ, sin θ) is the derivative of the place: turned back by ρ, so is the place itself.
+    back = Matrix([[cos(rho), -sin(rho)], [sin(rho), cos(rho)]]) * Matrix([cos(phi), sin(phi)])
+    turn, domain = Equal(back, Matrix([cos(phi + rho), sin(phi + rho)])), Domain(dict.fromkeys((phi, rho), (-pi, pi)))
+    book.claim("own.place", "the tangent, turned back", turn, domain=domain, steps=["plane.inextensible"])
 
 
 def harmonics(acceleration: Expr) -> tuple[Expr, Expr]:
@@ -138,9 +147,6 @@ def claim_law(found: Reduction, own: Plane, known: Plane, sign: int, book: Noteb
     for kind, (what, left, right, step) in pairs.items():
         title = f"in the axes of the resultant, {what} is that of the known rod ({name})"
         book.claim(f"own.{name}_{kind}", title, Equal(left, right), domain=domain, steps=[step])
-    place = Matrix([cos(rho) * cos(phi) - sin(rho) * sin(phi), sin(rho) * cos(phi) + cos(rho) * sin(phi)])
-    turn = Equal(place, Matrix([cos(phi + rho), sin(phi + rho)]))
-    book.claim(f"own.{name}_place", "the tangent, turned back", turn, domain=domain, steps=["plane.inextensible"])
 
 
 def loads_of(found: Reduction, sign: int) -> tuple[dict[Symbol, Expr], Domain]:

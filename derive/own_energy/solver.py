@@ -102,8 +102,8 @@ def solver(
     files = {folder / f"{one['name']}.py": one["text"] for one in modules.values()} if folder else {}
     output.write_all(files)
     moduli = {own.names[letter]: value for letter, value in derivation.moduli.items()}
-    density, acceleration = own.renamed(own.reduction.density), own.renamed(own.reduction.acceleration)
-    return OwnSolver(density, acceleration, moduli, claims, modules, agreements, tuple(files))
+    shown = own.renamed(own.reduction.density), own.renamed(own.reduction.equation)
+    return OwnSolver(*shown, moduli, claims, modules, agreements, tuple(files))
 
 
 def named(derivation: Derivation, name: str, names: Mapping[str, str]) -> OwnModule:
