@@ -26,7 +26,7 @@ from derive.emit.pieces import parameters_of
 from derive.emit.proof import prove_module
 from derive.measure.agreement import DOUBLE
 from derive.measure.loading import load
-from derive.own_energy import emission, solver
+from derive.own_energy import chain, emission, solver
 from derive.own_energy.emission import OwnModule
 from derive.stages import DerivationError
 from derive.theory.energy import DIRECTION, Energy, H
@@ -232,13 +232,10 @@ def test_both_parts_together_and_nothing_of_a_wrong_one(tmp_path, monkeypatch):
     assert [one.tip_angle for one in got] == pytest.approx([one.tip_angle for one in plain], rel=1e-14)
     assert [one.energy for one in got] == pytest.approx([one.energy for one in plain], rel=1e-14)
     assert len(list((tmp_path / "good").iterdir())) == 2
-    usual = emission.render
-
-    def turned(template, context):
-        return usual(template, context).replace("angle - left, left", "angle + left, left")
-
-    monkeypatch.setattr(emission, "render", turned)
-    monkeypatch.setenv("DERIVE_CACHE", str(tmp_path / "cache"))
+    turned = ("angle - left, left", "angle + left, left")
+    wrong = {name: one | {"text": one["text"].replace(*turned)} for name, one in both.modules.items()}
+    assert all(wrong[name]["text"] != one["text"] for name, one in both.modules.items())
+    monkeypatch.setattr(chain, "emitted", lambda *_: wrong)
     with pytest.raises(EmitError, match=r"does not agree with its equation: .*it is not written"):
         solver(BOTH, out=tmp_path / "wrong")
     assert not (tmp_path / "wrong").exists()
