@@ -30,7 +30,7 @@ from derive.own_energy import chain, emission, solver
 from derive.own_energy.emission import OwnModule
 from derive.stages import DerivationError
 from derive.theory.energy import DIRECTION, Energy, H
-from derive.theory.letters import chi, length, mass
+from derive.theory.letters import chi, current, length, mass
 from derive.theory.particle import energy_of
 from generated import oblique_numpy
 
@@ -188,9 +188,8 @@ def test_an_absent_part_leaves_the_angles_exact():
 
 # The whole chain
 
-BOTH = energy_of(
-    "magnets that also gain", Symbol("M_0", positive=True) * DIRECTION + chi * H.dot(DIRECTION) * DIRECTION
-)
+M0 = Symbol("M_0", positive=True)
+BOTH = energy_of("magnets that also gain", M0 * DIRECTION + chi * H.dot(DIRECTION) * DIRECTION, {M0: current / length})
 
 
 @pytest.mark.long
@@ -244,6 +243,6 @@ def test_both_parts_together_and_nothing_of_a_wrong_one(tmp_path, monkeypatch):
 @pytest.mark.long
 def test_wrong_units_are_a_claim_that_does_not_hold(tmp_path):
     wrong = Energy("wrong units", lambda h, a: -k * h.dot(a), {k: length * mass})
-    with pytest.raises(DerivationError, match=r"is a force .* REFUTED"):
+    with pytest.raises(DerivationError, match=r"is a force .* REFUTED: give units for each"):
         solver(wrong, out=tmp_path / "none")
     assert not (tmp_path / "none").exists()

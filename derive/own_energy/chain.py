@@ -27,6 +27,7 @@ from derive.theory.energy import Energy
 
 GOOD = {"PROVED", "CERTIFIED", "AGREED"}
 BACKENDS = ("numpy", "mpmath")
+UNITS = "line_energy.dimension"  # the claim that fails first where the units that come with an energy are wrong
 
 
 @dataclass(frozen=True)
@@ -124,7 +125,10 @@ def judged(runner: Runner, derivation: Derivation) -> list[dict[str, Any]]:
     found = runner.results(wanted, lambda: tasks.finished(key))
     for claim in found:
         if claim["verdict"] not in GOOD:
-            why = claim["reason"] or ", ".join(f"{name} = {value}" for name, value in claim["counterexample"].items())
+            values = claim["counterexample"] or {}
+            why = claim["reason"] or ", ".join(f"{name} = {value}" for name, value in values.items())
+            if claim["id"] == UNITS:
+                why = "give units for each of its own letters that is no pure number, and the right ones"
             whose = checks.whose(derivation.energy)
             raise stages.DerivationError(
                 f"{whose}: {claim['title']} ({claim['id']}) is {claim['verdict']}: {why}; nothing is emitted"
