@@ -1,4 +1,4 @@
-"""A rod of permanently magnetized particles: from its energy to its equilibria. About a minute; seconds when repeated.
+"""A rod of permanently magnetized particles: from its energy to its equilibria. Half a minute; seconds when repeated.
 
     python examples/permanent_magnet.py [FOLDER]
 
