@@ -14,7 +14,7 @@ from derive.emit.kernels.agm import half_period
 from derive.emit.kernels.api import equilibria, shape, sweep
 from derive.emit.kernels.arcs import rj_pair
 from derive.emit.kernels.carlson import rf
-from derive.emit.kernels.search import bracketed_root
+from derive.emit.kernels.roots import bracketed_root
 from derive.emit.kernels.swing import lengths, phase_at
 from derive.measure.reference import Rod, solve
 from derive.measure.scan import brute_force
@@ -87,6 +87,21 @@ def rods(draw, stiffest=12.0):
     stiffness = (draw(st.floats(0.05, stiffest)) / length) ** 2
     share = draw(st.floats(0, 1) | st.sampled_from([0.0, 1.0, 0.5]))
     return stiffness * share, stiffness * (1 - share), length, draw(angles)
+
+
+@pytest.mark.parametrize(
+    "rod",
+    [
+        (0.135039179399444, 0.13503917939945298, 5.702702710100172, -3.1415926535897922),
+        (0.0301950610069599, 0.030195061006963675, 2.0857750943235094, 3.141592663589793),
+    ],
+)
+def test_a_ridge_next_to_its_wells(rod):
+    """η is above β by some roundings only: V is flat from well to well, and the rod is next to that with η = β."""
+    beta, _, *rest = rod
+    found, at_birth = equilibria(*rod, PARALLEL), equilibria(beta, beta, *rest, PARALLEL)
+    assert [one.index for one in found] == [one.index for one in at_birth]
+    assert [one.tip_angle for one in found] == pytest.approx([one.tip_angle for one in at_birth], abs=1e-6)
 
 
 @given(rods())
