@@ -14,7 +14,7 @@ from derive.emit.kernels.agm import half_period
 from derive.emit.kernels.api import equilibria, shape, sweep
 from derive.emit.kernels.arcs import rj_pair
 from derive.emit.kernels.carlson import rf
-from derive.emit.kernels.search import bracketed_root
+from derive.emit.kernels.roots import bracketed_root
 from derive.emit.kernels.swing import lengths, phase_at
 from derive.measure.reference import Rod, solve
 from derive.measure.scan import brute_force

@@ -15,7 +15,7 @@ from itertools import pairwise
 from typing import Any
 
 from derive.diagrams.nearest import extrema
-from derive.emit.kernels.search import bracketed_root
+from derive.emit.kernels.roots import bracketed_root
 
 SAMPLES = 33  # to begin with, on each interval
 END = 1e-6  # how far in u from an end, which itself has two equilibria in one

@@ -104,7 +104,7 @@ def rough_times(rods, piece, place):
 
 
 def ends(rods, piece):
-    """The places of the deepest samples: see ``search.grid``."""
+    """The places of the deepest samples: see ``places.grid``."""
     rounding = -log(epsilon())
     if piece.low_kind == "level":
         first = minimum(-2 * rods.slow - 6, -rounding)

@@ -19,8 +19,7 @@ from derive.emit.kernels.arithmetic import (
 )
 from derive.emit.kernels.landscape import landscape
 from derive.emit.kernels.pieces import clamp_in, pieces
-from derive.emit.kernels.search import Stay, crossings, delays, stay_at
-from derive.emit.kernels.swing import phase_of, times
+from derive.emit.kernels.search import Stay, crossings
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,7 +121,7 @@ def below(rod, most):
         if not piece.width > 0:  # the clamp angle is at the level of the ridge, to rounding
             continue
         here = crossings(beta, eta, field_angle, rod.length, piece, most)
-        for crossing in sorted(here, key=lambda item: item.place):
+        for crossing in sorted(here, key=lambda item: item.sample.place):
             index = index_of(crossing)
             if index <= most:
                 found.append(bent_rod(rod, clamp.turns, piece, crossing, index))
@@ -140,10 +139,8 @@ def straight(rod, most):
 def bent_rod(rod, turns, piece, crossing, index):
     """The equilibrium of a tip on its branch."""
     beta, eta, field_angle, length = rod.beta, rod.eta, rod.field_angle, rod.length
-    stay = stay_at(beta, eta, field_angle, piece, delays(piece), crossing.place)
+    stay, phase, (swing, arrival) = crossing.sample.stay, crossing.sample.phase, crossing.sample.regular
     motion, basin = stay.motion, piece.basin
-    phase = phase_of(motion)
-    swing, arrival = times(motion)
     whole = Arc(0, 0, 0)  # not asked for within the first half-swing
     if crossing.turns:
         whole = arc_to(beta, eta, field_angle, motion, far_point(motion), 1, 0, swing)

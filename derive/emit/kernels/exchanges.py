@@ -9,7 +9,8 @@ from derive.emit.kernels.arithmetic import ceil, frexp, ldexp
 from derive.emit.kernels.equilibria import principal
 from derive.emit.kernels.extrema import Mark, marks, slope_at
 from derive.emit.kernels.folds import both_sides, rod_of, steps
-from derive.emit.kernels.tracking import follow, matched, nearest, zero_between, zeros
+from derive.emit.kernels.roots import bracketed_root
+from derive.emit.kernels.tracking import follow, matched, nearest, zeros
 from derive.emit.kernels.variations import Change
 
 # How near, as a share of the loads, an exchange may lie to where its branch's extremum itself appears.
@@ -89,7 +90,7 @@ def level_point(at, name, low, high, before, after):
         mark = mark_at(eta)
         return before.slope if mark is None else mark.slope
 
-    return mark_at(zero_between(function, low, high, before.slope, after.slope))
+    return mark_at(bracketed_root(function, (low, high), (before.slope, after.slope), 0))
 
 
 def exchange_of(at, mark):

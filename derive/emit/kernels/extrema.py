@@ -8,9 +8,10 @@ from derive.emit.kernels.arithmetic import ceil, epsilon, exp
 from derive.emit.kernels.equilibria import Rod
 from derive.emit.kernels.landscape import landscape
 from derive.emit.kernels.pieces import Piece, clamp_in, pieces
-from derive.emit.kernels.search import delays, dip, grid, stay_at
+from derive.emit.kernels.places import grid
+from derive.emit.kernels.roots import bracketed_root, dip
+from derive.emit.kernels.search import delays, stay_at
 from derive.emit.kernels.swing import times
-from derive.emit.kernels.tracking import zero_between
 from derive.emit.kernels.variations import Change, rates_of_times
 
 # Branches whose extremum is further from the rod's length than this share of it are not looked at.
@@ -173,7 +174,8 @@ def mark_at(rod, turns, piece, sample, key, sign, swings, before, after):
         item = sample(place)
         return (2 * swings * item.swing_rate if swings else 0) + sign * item.arrival_rate
 
-    place = zero_between(function, before.place, after.place, function(before.place), function(after.place))
+    ends = before.place, after.place
+    place = bracketed_root(function, ends, [function(end) for end in ends], 0)
     height = branch_length(sample(place), sign, swings) / rod.length - 1
     slope = slope_at(rod, piece, place, sign, swings, Change(0, 0, 1))
     return Mark(key, (rod.side, sign, swings, key[-1]), place, place, height, slope, rod, turns, piece)

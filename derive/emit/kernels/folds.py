@@ -9,7 +9,7 @@ from derive.emit.kernels.equilibria import Rod, bent_rod, direction, principal, 
 from derive.emit.kernels.extrema import marks
 from derive.emit.kernels.landscape import landscape
 from derive.emit.kernels.pieces import clamp_in
-from derive.emit.kernels.search import Crossing
+from derive.emit.kernels.search import Crossing, delays, sample_at
 from derive.emit.kernels.tracking import LEAST, nearest, zeros
 
 
@@ -91,7 +91,9 @@ def rod_of(mark):
     """The equilibrium of an extremum."""
     _, sign, swings, _ = mark.group
     index = 2 * swings - (1 if sign < 0 else 0)
-    return bent_rod(mark.rod, mark.turns, mark.piece, Crossing(mark.place, swings, sign, True), index)
+    rod, piece = mark.rod, mark.piece
+    sample = sample_at(rod.beta, rod.eta, rod.field_angle, piece, delays(piece), mark.place)
+    return bent_rod(rod, mark.turns, piece, Crossing(sample, swings, sign, True), index)
 
 
 def pitchforks(beta, length, clamp_angle, field_angle, scale, places):

@@ -9,28 +9,13 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import ceil, deepest, epsilon, floor, log, pi, sqrt
-from derive.emit.kernels.landscape import astroid_cusp, ridge_couple
+from derive.emit.kernels.arithmetic import ceil, deepest, epsilon, floor, inf, pi, sqrt
 from derive.emit.kernels.motion import Motion, motion_at
-from derive.emit.kernels.pieces import fall, reach, slope
-from derive.emit.kernels.swing import times
+from derive.emit.kernels.places import least_arrival, places
+from derive.emit.kernels.roots import bracketed_root, dip
+from derive.emit.kernels.swing import Phase, lengths, phase_of
 
-
-class Crossing(NamedTuple):
-    """A tip whose rod has the right length, on branch 2·turns·H + sign·t; ``rising``: the branch grows with the tip."""
-
-    place: float
-    turns: int
-    sign: int
-    rising: bool
-
-
-class Sample(NamedTuple):
-    """Half-swing and first arrival at a place of a piece."""
-
-    place: float
-    swing: float
-    arrival: float
+SAFE = 1e-6  # bounds count where they hold by this much more than they must
 
 
 class Delay(NamedTuple):
@@ -55,6 +40,29 @@ class Stay(NamedTuple):
     middle: float
     far: float
     arrival: float
+
+
+class Sample(NamedTuple):
+    """Half-swing and first arrival at a place of a piece, and of what they are: the motion and its phase at the clamp.
+
+    The motion alone has the half-swing and the arrival without the lengths for which it stays anywhere.
+    """
+
+    place: float
+    swing: float
+    arrival: float
+    stay: Stay
+    phase: Phase
+    regular: tuple[float, float]
+
+
+class Crossing(NamedTuple):
+    """A tip whose rod has the right length, on branch 2·turns·H + sign·t; ``rising``: the branch grows with the tip."""
+
+    sample: Sample
+    turns: int
+    sign: int
+    rising: bool
 
 
 def delays(piece):
@@ -99,8 +107,11 @@ def stay_at(beta, eta, field_angle, piece, ends, place):
 def sample_at(beta, eta, field_angle, piece, ends, place):
     """The sample at a place."""
     stay = stay_at(beta, eta, field_angle, piece, ends, place)
-    swing, arrival = times(stay.motion)
-    return Sample(place, swing + stay.tip + stay.middle + stay.far, arrival + stay.tip + stay.arrival)
+    motion = stay.motion
+    phase = phase_of(motion)
+    regular = swing, arrival = lengths(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
+    swing, arrival = swing + stay.tip + stay.middle + stay.far, arrival + stay.tip + stay.arrival
+    return Sample(place, swing, arrival, stay, phase, regular)
 
 
 def crossings(beta, eta, field_angle, length, piece, most):
@@ -110,9 +121,18 @@ def crossings(beta, eta, field_angle, length, piece, most):
     def sample(place):
         return sample_at(beta, eta, field_angle, piece, ends, place)
 
+    def too_low(place):
+        return least_arrival(beta, eta, piece, place) > (1 + SAFE) * length
+
+    if too_low(inf):
+        return []
     # No half-swing is shorter than that of the stiffest pendulum.
-    signs = (1,) if length * sqrt(beta + eta) < pi else (1, -1)
-    samples = refined(sample, [sample(place) for place in places(beta, eta, field_angle, length, piece)], length)
+    quarter = pi / 2 / sqrt(beta + eta)
+    signs = (1,) if length < 2 * quarter else (1, -1)
+    # A motion that arrives before the stiffest pendulum is down arrives the sooner, the nearer its tip (Sturm).
+    soon = (1 - SAFE) * min(quarter, length) if len(signs) == 1 and piece.high_kind == "clamp" else 0
+    samples = sampled(sample, places(beta, eta, field_angle, length, piece), too_low, soon)
+    samples = refined(sample, samples, length)
     end = end_sample(piece, samples[-1])
     if end is not None:
         samples.append(end)
@@ -126,67 +146,48 @@ def crossings(beta, eta, field_angle, length, piece, most):
     return found
 
 
+def sampled(sample, places, too_low, soon):
+    """Samples from the last place that is too low to the first one from which the motion arrives soon.
+
+    Beyond both nothing is as long as the rod. One more is taken where the branches do not fall from there, or to there.
+    """
+    start = 0
+    while start + 1 < len(places) and too_low(places[start + 1]):
+        start += 1
+    found = [sample(place) for place in places[start : start + 2]]
+    for place in places[start + 2 :]:
+        if found[-1].arrival < soon and found[-1].arrival < found[-2].arrival:
+            break
+        found.append(sample(place))
+    while start > 0 and not falls(*found[:2]):
+        start -= 1
+        found.insert(0, sample(places[start]))
+    return found
+
+
+def falls(one, other):
+    """Whether no branch is longer at the second one."""
+    less, apart = one.swing - other.swing, one.arrival - other.arrival
+    return apart >= 0 and 2 * less >= apart
+
+
 def excess(item, turns, sign, length):
     """The length of a branch less the rod's."""
     return (2 * turns * item.swing if turns else 0) + sign * item.arrival - length
 
 
 def crossing(sample, turns, sign, length, before, after, beside):
-    """The crossing between two samples on either side of it; a third one beside them helps to start."""
+    """The crossing between two samples on either side of it; others beside them help to find it."""
+    seen = {}
 
     def function(place):
-        return excess(sample(place), turns, sign, length)
+        seen[place] = sample(place)
+        return excess(seen[place], turns, sign, length)
 
-    low, high = excess(before, turns, sign, length), excess(after, turns, sign, length)
-    third = excess(beside, turns, sign, length)
-    points = (before.place, after.place, beside.place), (low, high, third)
-    place = bracketed_root(function, *points, epsilon() * length)
-    return Crossing(place, turns, sign, high > low)
-
-
-def places(beta, eta, field_angle, length, piece):
-    """Places to begin with, closer around the level at which the motion meets a ridge that is not quite there."""
-    found, basin = grid(beta, eta, length, piece), piece.basin
-    if basin.even or basin.passes or piece.low_kind == "level" or basin.far.quarters - basin.hill.quarters != 4:
-        return found
-    angle = abs(field_angle)
-    cusp = angle + pi + astroid_cusp(angle)
-    # How far η is below the value at which the ridge would appear.
-    missing = max(-ridge_couple(beta, eta, angle, astroid_cusp(angle)) / (beta + eta), epsilon())
-    cusp = cusp if field_angle > 0 else 2 * pi - cusp
-    down = basin.well.angle - basin.hill.angle
-    rise = reach(eta, basin.hill, fall(eta, basin.hill, 0, cusp - basin.hill.angle), down, 1)
-    if missing > 0.3 or not 0 < rise < piece.width:
-        return found
-    middle = log(rise / (piece.width - rise))
-    # The range of tips that it slows down shrinks with the power 3/2.
-    steps = [0.25**k for k in range(ceil(1.1 * log(1 / missing)) + 3)]
-    around = [middle, *(middle - step for step in steps), *(middle + step for step in steps)]
-    return sorted([*found, *(place for place in around if found[0] < place < found[-1])])
-
-
-def grid(beta, eta, length, piece):
-    """Places to begin with: near enough where the branches bend, and to where none of them is as short as the rod."""
-    rounding = -log(epsilon())
-    slow = length * sqrt(beta + eta)
-    first = -2 * slow - 6 if piece.low_kind == "level" else -slow - 6
-    first = min(first, -rounding) if piece.low_kind == "level" else first
-    if piece.high_kind == "level":
-        last = 2 * slow + rounding
-    elif piece.high_kind == "turn":
-        last = 2 * rounding
-    elif piece.high_depth == 0:
-        last = rounding
-    else:
-        # The tip of a stiff rod departs from the clamp angle by half the moment there times the length squared.
-        moment = abs(slope(eta, piece.clamp_rest, piece.clamp_offset)) + epsilon() ** 20
-        last = max(rounding, 4 + log(2 * piece.width) - log(moment) - 2 * log(length))
-        last = min(last, 2 * deepest(piece.width))
-    inner = [0.0]
-    for side, end in ((-1, -first), (1, last)):
-        inner += [side * place for place in (1.25, 2.5, 5.0, 10.0) if place < end]
-        inner.append(side * end)
-    return sorted(inner)
+    known = (before, after, *beside)
+    values = [excess(item, turns, sign, length) for item in known]
+    place = bracketed_root(function, [item.place for item in known], values, epsilon() * length)
+    return Crossing(seen.get(place) or sample(place), turns, sign, values[1] > values[0])
 
 
 def refined(sample, samples, length):
@@ -226,18 +227,17 @@ def bends(first, second, third, length):
 def end_sample(piece, last):
     """The high end itself, where its times are known: arrival at once, or after the whole half-swing."""
     if piece.high_kind == "clamp" and piece.clamp_gap == 0 and piece.high_depth > 0:
-        return Sample(last.place + 1e3, last.swing, 0 * last.swing)
+        return last._replace(place=last.place + 1e3, arrival=0 * last.swing)
     if piece.high_kind == "turn":
-        return Sample(last.place + 1e3, last.swing, last.swing)
+        return last._replace(place=last.place + 1e3, arrival=last.swing)
     return None
 
 
 def brackets(sample, samples, counts, length, sign):
-    """(turns, sample, sample, a third) for every whole number that the count crosses between the two samples."""
+    """(turns, sample, sample, others) for every whole number that the count crosses between the two samples."""
     found = []
     for k in range(1, len(samples)):
-        beside = samples[k - 2] if k > 1 else samples[-1] if len(samples) == k + 1 else samples[k + 1]
-        found += between(samples[k - 1], samples[k], counts[k - 1], counts[k], beside)
+        found += between(samples, counts, k)
     for k in range(1, len(samples) - 1):
         before, here, after = counts[k - 1 : k + 2]
         if (before - here) * (after - here) > 0:
@@ -245,10 +245,14 @@ def brackets(sample, samples, counts, length, sign):
     return found
 
 
-def between(one, other, count_one, count_other, beside):
-    """The whole numbers from the lower count up to, but not at, the higher one."""
-    low, high = (count_one, count_other) if count_one < count_other else (count_other, count_one)
-    return [(turns, one, other, beside) for turns in range(max(ceil(low), 0), max(ceil(high), 0))]
+def between(samples, counts, k):
+    """The whole numbers from the lower count of a sample and that before it up to, but not at, the higher one."""
+    low, high = (counts[k - 1], counts[k]) if counts[k - 1] < counts[k] else (counts[k], counts[k - 1])
+    turns = range(max(ceil(low), 0), max(ceil(high), 0))
+    if not turns:
+        return []
+    beside = [samples[j] for j in (k - 2, k + 1, k - 3, k + 2) if 0 <= j < len(samples)]
+    return [(number, samples[k - 1], samples[k], beside) for number in turns]
 
 
 def at_extremum(sample, triple, counts, length, sign):
@@ -270,60 +274,4 @@ def at_extremum(sample, triple, counts, length, sign):
     best = dip(sample, short, left, middle, right)
     if short(best) >= 0:
         return []
-    return [(goal, left, best, right), (goal, best, right, left)]
-
-
-def dip(sample, short, left, middle, right):
-    """The sample at which ``short`` is least between left and right by golden sections, or the first below zero."""
-    golden = (3 - sqrt(5)) / 2
-    value = short(middle)
-    while right.place - left.place > 2 * sqrt(epsilon()) * (1 + abs(middle.place)):
-        wide = right.place - middle.place > middle.place - left.place
-        end = right if wide else left
-        trial = sample(middle.place + golden * (end.place - middle.place))
-        new = short(trial)
-        if new < 0:
-            return trial
-        if new < value:
-            left, right = (middle, right) if wide else (left, middle)
-            middle, value = trial, new
-        elif wide:
-            right = trial
-        else:
-            left = trial
-    return middle
-
-
-def bracketed_root(function, places, values, blur):
-    """A sign change of the function between the first two places, to rounding, by Chandrupatla's method (1997).
-
-    The third place has a value, too. blur: a value that rounding may have made of zero.
-    """
-    (a, b, c), (value_a, value_b, value_c) = places, values
-    fraction = interpolated(a, b, c, value_a, value_b, value_c)
-    if not 0 < fraction < 1:
-        fraction = 0.5
-    while True:
-        trial = a + fraction * (b - a)
-        value = function(trial)
-        if (value > 0) == (value_a > 0):
-            c, value_c = a, value_a
-        else:
-            c, value_c, b, value_b = b, value_b, a, value_a
-        a, value_a = trial, value
-        best, value_best = (a, value_a) if abs(value_a) < abs(value_b) else (b, value_b)
-        least = 2 * epsilon() * (1 + abs(best)) / abs(b - a)
-        if least > 0.5 or abs(value_best) <= blur:
-            return best
-        fraction = min(1 - least, max(least, interpolated(a, b, c, value_a, value_b, value_c)))
-
-
-def interpolated(a, b, c, value_a, value_b, value_c):
-    """Where on the way from a to b inverse quadratic interpolation puts the zero, or half way where it is unsafe."""
-    if value_c in (value_a, value_b):
-        return 0.5
-    x, y = (a - b) / (c - b), (value_a - value_b) / (value_c - value_b)
-    if x <= 0 or y * y >= x or (1 - y) * (1 - y) >= 1 - x:
-        return 0.5
-    share = value_a / (value_b - value_a) * value_c / (value_b - value_c)
-    return share + (c - a) / (b - a) * value_a / (value_c - value_a) * value_b / (value_c - value_b)
+    return [(goal, left, best, [right]), (goal, best, right, [left])]

@@ -5,8 +5,8 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import Any, NamedTuple
 
-from derive.emit.kernels.arithmetic import epsilon, inf, sqrt
-from derive.emit.kernels.search import dip, interpolated
+from derive.emit.kernels.arithmetic import inf, sqrt
+from derive.emit.kernels.roots import bracketed_root, dip
 
 # An interval of the parameter is halved down to this share of it to find where a height appears or disappears.
 LEAST = 1e-12
@@ -171,23 +171,5 @@ def root(values_at, bracket):
         record = record_at(place)
         return before.height if record is None else record.height
 
-    record = record_at(zero_between(function, low, high, before.height, after.height))
+    record = record_at(bracketed_root(function, (low, high), (before.height, after.height), 0))
     return record if record is not None and abs(record.height) < LEAP else None
-
-
-def zero_between(function, a, b, value_a, value_b):
-    """A sign change of a function between two places, to rounding, by Chandrupatla's method (1997)."""
-    fraction = 0.5
-    while True:
-        trial = a + fraction * (b - a)
-        value = function(trial)
-        if (value > 0) == (value_a > 0):
-            c, value_c = a, value_a
-        else:
-            c, value_c, b, value_b = b, value_b, a, value_a
-        a, value_a = trial, value
-        best, value_best = (a, value_a) if abs(value_a) < abs(value_b) else (b, value_b)
-        least = 2 * epsilon() * (1 + abs(best)) / abs(b - a)
-        if least > 0.5 or value_best == 0:
-            return best
-        fraction = min(1 - least, max(least, interpolated(a, b, c, value_a, value_b, value_c)))

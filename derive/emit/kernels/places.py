@@ -1,0 +1,72 @@
+"""The places of a piece at which its branches are sampled to begin with, and which of them need no look."""
+
+from __future__ import annotations
+
+from derive.emit.kernels.arithmetic import ceil, deepest, epsilon, exp, log, pi, sqrt
+from derive.emit.kernels.landscape import astroid_cusp, ridge_couple
+from derive.emit.kernels.pieces import fall, reach, slope
+
+
+def places(beta, eta, field_angle, length, piece):
+    """Places to begin with, closer around the level at which the motion meets a ridge that is not quite there."""
+    found, basin = grid(beta, eta, length, piece), piece.basin
+    if basin.even or basin.passes or piece.low_kind == "level" or basin.far.quarters - basin.hill.quarters != 4:
+        return found
+    angle = abs(field_angle)
+    cusp = angle + pi + astroid_cusp(angle)
+    # How far η is below the value at which the ridge would appear.
+    missing = max(-ridge_couple(beta, eta, angle, astroid_cusp(angle)) / (beta + eta), epsilon())
+    cusp = cusp if field_angle > 0 else 2 * pi - cusp
+    down = basin.well.angle - basin.hill.angle
+    rise = reach(eta, basin.hill, fall(eta, basin.hill, 0, cusp - basin.hill.angle), down, 1)
+    if missing > 0.3 or not 0 < rise < piece.width:
+        return found
+    middle = log(rise / (piece.width - rise))
+    # The range of tips that it slows down shrinks with the power 3/2.
+    steps = [0.25**k for k in range(ceil(1.1 * log(1 / missing)) + 3)]
+    around = [middle, *(middle - step for step in steps), *(middle + step for step in steps)]
+    return sorted([*found, *(place for place in around if found[0] < place < found[-1])])
+
+
+def grid(beta, eta, length, piece):
+    """Places to begin with: near enough where the branches bend, and to where none of them is as short as the rod."""
+    rounding = -log(epsilon())
+    slow = length * sqrt(beta + eta)
+    first = -2 * slow - 6 if piece.low_kind == "level" else -slow - 6
+    first = min(first, -rounding) if piece.low_kind == "level" else first
+    if piece.high_kind == "level":
+        last = 2 * slow + rounding
+    elif piece.high_kind == "turn":
+        last = 2 * rounding
+    elif piece.high_depth == 0:
+        last = rounding
+    else:
+        # The tip of a stiff rod departs from the clamp angle by half the moment there times the length squared.
+        moment = abs(slope(eta, piece.clamp_rest, piece.clamp_offset)) + epsilon() ** 20
+        last = max(rounding, 4 + log(2 * piece.width) - log(moment) - 2 * log(length))
+        last = min(last, 2 * deepest(piece.width))
+    inner = [0.0]
+    for side, end in ((-1, -first), (1, last)):
+        inner += [side * place for place in (1.25, 2.5, 5.0, 10.0) if place < end]
+        inner.append(side * end)
+    return sorted(inner)
+
+
+def least_arrival(beta, eta, piece, place):
+    """A length before which no motion from a place, or from a lower one, arrives.
+
+    θ″ is nowhere more than β + η/2, and at an offset from the hill no more than β + η times that: a motion that has
+    the lesser of these two gets ahead of it.
+    """
+    steep, most = beta + eta, beta + eta / 2
+    share = 1 / (1 + exp(-max(place, -deepest(piece.width))))
+    offset = piece.low_offset + piece.width * share
+    clamp = piece.low_offset + piece.width + piece.clamp_gap
+    bend = min(clamp, most / steep)
+    arrival, speed = 0, 0
+    if offset < bend:
+        ratio = bend / offset
+        away = sqrt((ratio - 1) * (ratio + 1))
+        arrival, speed = log(ratio + away) / sqrt(steep), sqrt(steep) * away * offset
+    rest = clamp - max(offset, bend)
+    return arrival + (2 * rest / (speed + sqrt(speed * speed + 2 * most * rest)) if rest > 0 else 0)
