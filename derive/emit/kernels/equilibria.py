@@ -17,7 +17,7 @@ from derive.emit.kernels.arithmetic import (
     sin,
     sqrt,
 )
-from derive.emit.kernels.landscape import landscape
+from derive.emit.kernels.landscape import landscape, mirror_landscape
 from derive.emit.kernels.pieces import clamp_in, pieces
 from derive.emit.kernels.search import Stay, crossings
 
@@ -81,7 +81,20 @@ def all_equilibria(beta, eta, length, clamp_angle, field_angle, max_index):
     field = principal(field_angle)
     rod = Rod(ldexp(beta, -2 * scale), ldexp(eta, -2 * scale), ldexp(length, scale), clamp_angle, field, 1, scale)
     mirrored = Rod(rod.beta, rod.eta, rod.length, -clamp_angle, reflected(field), -1, scale)
-    return in_order([*below(rod, most), *straight(rod, most), *below(mirrored, most)[::-1]])
+    scene, other = landscapes(rod.beta, rod.eta, rod.field_angle)
+    clamp = clamp_in(scene.rests, rod.clamp_angle)
+    above = below(mirrored, other, clamp_in(other.rests, mirrored.clamp_angle), most)
+    return in_order([*below(rod, scene, clamp, most), *straight(rod, scene, clamp, most), *above[::-1]])
+
+
+def landscapes(beta, eta, field_angle):
+    """The landscape of a rod, and that of its mirror image."""
+    if reflected(field_angle) == field_angle:
+        scene = landscape(beta, eta, field_angle)
+        return scene, scene
+    scene = landscape(beta, eta, abs(field_angle))
+    mirrored = mirror_landscape(scene)
+    return (scene, mirrored) if field_angle > 0 else (mirrored, scene)
 
 
 def in_order(found):
@@ -111,11 +124,9 @@ def reflected(field_angle):
     return -field_angle
 
 
-def below(rod, most):
+def below(rod, scene, clamp, most):
     """The equilibria with tips below the clamp angle, from the lowest up; tips may be nearer than rounding."""
     beta, eta, field_angle = rod.beta, rod.eta, rod.field_angle
-    scene = landscape(beta, eta, field_angle)
-    clamp = clamp_in(scene.rests, rod.clamp_angle)
     found = []
     for piece in pieces(beta, eta, field_angle, scene, clamp):
         if not piece.width > 0:  # the clamp angle is at the level of the ridge, to rounding
@@ -128,11 +139,9 @@ def below(rod, most):
     return found
 
 
-def straight(rod, most):
+def straight(rod, scene, clamp, most):
     """The straight equilibrium, if the clamp angle is a direction without moment."""
-    scene = landscape(rod.beta, rod.eta, rod.field_angle)
-    offsets = clamp_in(scene.rests, rod.clamp_angle).offsets
-    found = [straight_rod(rod, rest) for rest, offset in zip(scene.rests, offsets, strict=True) if offset == 0]
+    found = [straight_rod(rod, rest) for rest, offset in zip(scene.rests, clamp.offsets, strict=True) if offset == 0]
     return [item for item in found if item.index <= most]
 
 

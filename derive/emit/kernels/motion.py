@@ -197,21 +197,33 @@ def rates(beta, eta, field_angle, basin, tip, half_width, sine, near, far, heigh
     """dχ/dσ at the ends and in the middle of the motion."""
     middle, cosine = tip + half_width, cos(half_width)
     double = 2 * (middle - field_angle)
+    cos_middle, cos_double = cos(middle), cos(double)
     product = sqrt(near) * sqrt(far)
-    excess = -(2 * beta * cos(middle) * cosine + eta * cos(double) * (1 + cosine * cosine))
-    mean = -(2 * beta * cos(middle) + eta * cosine * cos(double))
-    # mean − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to level.
-    ahead, behind = sin(half_width / 2 + double / 2), sin(half_width / 2 - double / 2)
-    by_far, by_near = far - 2 * eta * ahead * ahead, near - 2 * eta * behind * behind
-    apart = above_field(eta, basin, middle, half_width, field_angle, height)
-    apart = pick(2 * by_near > near, by_near, apart)
-    apart = pick(2 * by_far > far, by_far, apart)
-    apart = pick(mean - eta > 0.1 * eta, mean - eta, apart)
+    excess = -(2 * beta * cos_middle * cosine + eta * cos_double * (1 + cosine * cosine))
+    split, rate = excess < 0, sqrt(product + larger(excess, 0))
+    if any_of(split):
+        mean = -(2 * beta * cos_middle + eta * cosine * cos_double)
+        apart = mean_less_field(eta, field_angle, basin, middle, half_width, double, near, far, height, mean)
+        rate = pick(split, sine * sqrt(apart * (mean + eta) / pick(split, product - excess, 1)), rate)
+    return sqrt(product / 2), rate / 2
+
+
+def mean_less_field(eta, field_angle, basin, middle, half_width, double, near, far, height, mean):
+    """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
+    level."""
+    apart = mean - eta
+    close = apart <= 0.1 * eta
+    if any_of(close):
+        ahead, behind = sin(half_width / 2 + double / 2), sin(half_width / 2 - double / 2)
+        by_far, by_near = far - 2 * eta * ahead * ahead, near - 2 * eta * behind * behind
+        known = pick(2 * by_far > far, by_far, by_near)
+        far_off = close & (2 * by_far <= far) & (2 * by_near <= near)
+        if any_of(far_off):
+            known = pick(far_off, above_field(eta, basin, middle, half_width, field_angle, height), known)
+        apart = pick(close, known, apart)
     # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.
     least = larger(height, epsilon() ** 19) if basin.passes else epsilon() * pick(near < far, near, far) / 4
-    apart = larger(apart, least)
-    split = sine * sqrt(apart * (mean + eta) / pick(excess < 0, product - excess, 1))
-    return sqrt(product / 2), pick(excess < 0, split, sqrt(product + larger(excess, 0))) / 2
+    return larger(apart, least)
 
 
 def above_field(eta, basin, middle, half_width, field_angle, height):

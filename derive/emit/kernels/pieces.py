@@ -299,7 +299,8 @@ def piece_of(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_ga
     rest, offset = rests[0], at[0]
     for other, distance in zip(rests[1:], at[1:], strict=False):
         closer = abs(distance) < abs(offset)
-        rest, offset = pick_rest(closer, other, rest), pick(closer, distance, offset)
+        if any_of(closer):
+            rest, offset = pick_rest(closer, other, rest), pick(closer, distance, offset)
     last = at[len(rests) - 1]
     return Piece(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last)
 
