@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import ceil, epsilon, exp
+from derive.emit.kernels.arithmetic import ceil, epsilon, exp, inf
 from derive.emit.kernels.equilibria import Rod
 from derive.emit.kernels.landscape import landscape
 from derive.emit.kernels.pieces import Piece, clamp_in, pieces
-from derive.emit.kernels.places import grid
+from derive.emit.kernels.places import grid, least_arrival
 from derive.emit.kernels.roots import bracketed_root, dip
-from derive.emit.kernels.search import delays, stay_at
-from derive.emit.kernels.swing import times
+from derive.emit.kernels.search import delays, sample_at
 from derive.emit.kernels.variations import Change, rates_of_times
 
 # Branches whose extremum is further from the rod's length than this share of it are not looked at.
@@ -74,7 +73,14 @@ def marks_on(rod, turns, piece, where, wanted):
     def sample(place):
         return probe(rod, piece, ends, place)
 
+    def too_low(place):
+        return least_arrival(rod.beta, rod.eta, piece, place) > (1 + WINDOW) * rod.length
+
+    if too_low(inf):
+        return
     places = grid(rod.beta, rod.eta, rod.length, piece)
+    while len(places) > 2 and too_low(places[1]):
+        places = places[1:]
     samples = dense(sample, [sample(place) for place in places], rod.length)
     branches = branches_near(samples, rod.length) if wanted is None else [wanted[len(where) : len(where) + 2]]
     for sign, swings in branches:
@@ -87,16 +93,22 @@ def marks_on(rod, turns, piece, where, wanted):
 
 def probe(rod, piece, ends, place):
     """The times at a place and their derivatives; in the deep, these are the delays."""
-    stay = stay_at(rod.beta, rod.eta, rod.field_angle, piece, ends, place)
-    swing, arrival = times(stay.motion)
-    side = -1 if place < 0 else 1
+    item = sample_at(rod.beta, rod.eta, rod.field_angle, piece, ends, place)
     delay = ends[place >= 0]
-    swing, arrival = swing + stay.tip + stay.middle + stay.far, arrival + stay.tip + stay.arrival
     if abs(place) >= delay.deepest:
-        return Probe(place, swing, arrival, side * (delay.tip + delay.middle + delay.far), side * delay.arrival)
+        side = -1 if place < 0 else 1
+        rates = side * (delay.tip + delay.middle + delay.far), side * delay.arrival
+        return Probe(place, item.swing, item.arrival, *rates)
     share = piece.width / ((1 + exp(place)) * (1 + exp(-place)))
-    rates = rates_of_times(rod.beta, rod.eta, rod.field_angle, stay.motion, Change(share, 0, 0))
-    return Probe(place, swing, arrival, *rates)
+    rates = rates_of_sample(rod, item, Change(share, 0, 0))
+    return Probe(place, item.swing, item.arrival, *rates)
+
+
+def rates_of_sample(rod, item, change):
+    """The derivatives of half-swing and first arrival of a sample, but for the lengths for which it stays anywhere."""
+    swing, arrival = item.regular
+    motion = item.stay.motion
+    return rates_of_times(rod.beta, rod.eta, rod.field_angle, motion, item.phase, swing, arrival, change)
 
 
 def dense(sample, samples, length):
@@ -109,7 +121,8 @@ def dense(sample, samples, length):
         arrival = after.arrival - before.arrival - width * (after.arrival_rate + before.arrival_rate) / 2
         least = min(before.swing, after.swing)
         miss = abs(arrival) + (length / least * abs(swing) if length > least else 0)
-        if width > FINEST and miss > ROUGH * length:
+        out_of_reach = min(before.arrival, after.arrival) - abs(arrival) > (1 + WINDOW) * length
+        if width > FINEST and miss > ROUGH * length and not out_of_reach:
             todo.append(sample((before.place + after.place) / 2))
         else:
             done.append(todo.pop())
@@ -183,6 +196,6 @@ def mark_at(rod, turns, piece, sample, key, sign, swings, before, after):
 
 def slope_at(rod, piece, place, sign, swings, change):
     """The derivative of the length of a branch by the loads, over the rod's length."""
-    stay = stay_at(rod.beta, rod.eta, rod.field_angle, piece, delays(piece), place)
-    swing, arrival = rates_of_times(rod.beta, rod.eta, rod.field_angle, stay.motion, change)
+    item = sample_at(rod.beta, rod.eta, rod.field_angle, piece, delays(piece), place)
+    swing, arrival = rates_of_sample(rod, item, change)
     return ((2 * swings * swing if swings else 0) + sign * arrival) / rod.length

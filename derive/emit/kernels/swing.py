@@ -55,12 +55,6 @@ def phase_of(motion):
     return Phase(half, rest, whole, delta)
 
 
-def times(motion):
-    """Half-swing, and the length from the tip to the clamp."""
-    phase = phase_of(motion)
-    return lengths(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
-
-
 def lengths(a, b, square, rest):
     """The complete and the incomplete integral of 1/√(a² cos²ψ + b² sin²ψ), by sin²ψ and cos²ψ.
 

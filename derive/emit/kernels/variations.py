@@ -9,7 +9,6 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import any_of, cos, epsilon, pick, sin, sqrt
-from derive.emit.kernels.swing import phase_of, times
 
 
 class Change(NamedTuple):
@@ -30,15 +29,15 @@ class Numbers(NamedTuple):
     turn: float
 
 
-def rates_of_times(beta, eta, field_angle, motion, change):
+def rates_of_times(beta, eta, field_angle, motion, phase, swing, arrival, change):
     """Derivatives of half-swing and first arrival along a change of tip angle and loads; the clamp angle stays.
+
+    phase, swing, arrival: of the motion.
 
     dI = −(S + X) dlog a − (C − X) dlog b + dψ/Δ for I = ∫dψ/Δ, Δ² = a² cos²ψ + b² sin²ψ, with S = ∫sin²ψ/Δ,
     C = ∫cos²ψ/Δ and X = sin ψ cos ψ/Δ (DLMF 19.4(i), there for E, F and k).
     """
     numbers = changes_of_numbers(beta, eta, field_angle, motion, change)
-    phase = phase_of(motion)
-    swing, arrival = times(motion)
     a, b = motion.end, motion.middle
     square, rest = phase.square, phase.rest
     all_sine, sine = sine_part(a / 2, b / 2, 1, 0, swing), sine_part(a / 2, b / 2, square, rest, arrival)
