@@ -9,13 +9,11 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import ceil, deepest, epsilon, floor, inf, pi, sqrt
+from derive.emit.kernels.arithmetic import ceil, deepest, epsilon, floor, pi, sqrt
 from derive.emit.kernels.motion import Motion, motion_at
-from derive.emit.kernels.places import least_arrival, places
 from derive.emit.kernels.roots import bracketed_root, dip
+from derive.emit.kernels.sampling import samples_on
 from derive.emit.kernels.swing import Phase, lengths, phase_of
-
-SAFE = 1e-6  # bounds count where they hold by this much more than they must
 
 
 class Delay(NamedTuple):
@@ -121,54 +119,17 @@ def crossings(beta, eta, field_angle, length, piece, most):
     def sample(place):
         return sample_at(beta, eta, field_angle, piece, ends, place)
 
-    def too_low(place):
-        return least_arrival(beta, eta, piece, place) > (1 + SAFE) * length
-
-    if too_low(inf):
-        return []
     # No half-swing is shorter than that of the stiffest pendulum.
-    quarter = pi / 2 / sqrt(beta + eta)
-    signs = (1,) if length < 2 * quarter else (1, -1)
-    # A motion that arrives before the stiffest pendulum is down arrives the sooner, the nearer its tip (Sturm).
-    soon = (1 - SAFE) * min(quarter, length) if len(signs) == 1 and piece.high_kind == "clamp" else 0
-    samples = sampled(sample, places(beta, eta, field_angle, length, piece), too_low, soon)
-    samples = refined(sample, samples, length)
-    end = end_sample(piece, samples[-1])
-    if end is not None:
-        samples.append(end)
+    short = length * sqrt(beta + eta) < pi
+    samples = samples_on(beta, eta, field_angle, length, piece, sample, short)
     found = []
-    for sign in signs:
+    for sign in (1,) if short else (1, -1):
         counts = [(length - sign * item.arrival) / (2 * item.swing) for item in samples]
         for turns, before, after, beside in brackets(sample, samples, counts, length, sign):
             # At least 2·turns − 1 conjugate points, or one more on the branch that has gone on.
             if (turns or sign > 0) and 2 * turns - (sign < 0) <= most:
                 found.append(crossing(sample, turns, sign, length, before, after, beside))
     return found
-
-
-def sampled(sample, places, too_low, soon):
-    """Samples from the last place that is too low to the first one from which the motion arrives soon.
-
-    Beyond both nothing is as long as the rod. One more is taken where the branches do not fall from there, or to there.
-    """
-    start = 0
-    while start + 1 < len(places) and too_low(places[start + 1]):
-        start += 1
-    found = [sample(place) for place in places[start : start + 2]]
-    for place in places[start + 2 :]:
-        if found[-1].arrival < soon and found[-1].arrival < found[-2].arrival:
-            break
-        found.append(sample(place))
-    while start > 0 and not falls(*found[:2]):
-        start -= 1
-        found.insert(0, sample(places[start]))
-    return found
-
-
-def falls(one, other):
-    """Whether no branch is longer at the second one."""
-    less, apart = one.swing - other.swing, one.arrival - other.arrival
-    return apart >= 0 and 2 * less >= apart
 
 
 def excess(item, turns, sign, length):
@@ -188,49 +149,6 @@ def crossing(sample, turns, sign, length, before, after, beside):
     values = [excess(item, turns, sign, length) for item in known]
     place = bracketed_root(function, [item.place for item in known], values, epsilon() * length)
     return Crossing(seen.get(place) or sample(place), turns, sign, values[1] > values[0])
-
-
-def refined(sample, samples, length):
-    """More samples where half-swing or arrival bend between neighbours, as far as the rod's length is sensitive."""
-    done, todo = [samples[0]], samples[:0:-1]
-    while todo:
-        before, after = done[-1], todo[-1]
-        apart = after.place - before.place > 1.3
-        beside = [(done[-2], before, after)] if len(done) > 1 else []
-        beside += [(before, after, todo[-2])] if len(todo) > 1 else []
-        if apart and any(bends(one, two, three, length) for one, two, three in beside):
-            todo.append(sample((before.place + after.place) / 2))
-        else:
-            done.append(todo.pop())
-    return done
-
-
-def bends(first, second, third, length):
-    """Whether the curves bend so much at the second sample that a count may reach a whole number unseen beside it.
-
-    By how far the straight line through two samples misses the third.
-    """
-    share = (third.place - second.place) / (second.place - first.place)
-    swing = third.swing - second.swing - share * (second.swing - first.swing)
-    arrival = third.arrival - second.arrival - share * (second.arrival - first.arrival)
-    least = min(first.swing, second.swing, third.swing)
-    reach = (abs(arrival) + (length / least * abs(swing) if length > least else 0)) / (2 * least)
-    for sign in (1, -1):
-        for item in (first, second, third):
-            count = (length - sign * item.arrival) / (2 * item.swing)
-            whole = floor(count + 0.5)
-            if abs(count - whole) < reach and (whole > 0 or (whole == 0 and sign > 0)):
-                return True
-    return False
-
-
-def end_sample(piece, last):
-    """The high end itself, where its times are known: arrival at once, or after the whole half-swing."""
-    if piece.high_kind == "clamp" and piece.clamp_gap == 0 and piece.high_depth > 0:
-        return last._replace(place=last.place + 1e3, arrival=0 * last.swing)
-    if piece.high_kind == "turn":
-        return last._replace(place=last.place + 1e3, arrival=last.swing)
-    return None
 
 
 def brackets(sample, samples, counts, length, sign):

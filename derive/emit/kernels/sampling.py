@@ -1,0 +1,175 @@
+"""At which places of a piece half-swing and first arrival are sampled.
+
+A sample has a place, a swing and an arrival.
+"""
+
+from __future__ import annotations
+
+from derive.emit.kernels.arithmetic import epsilon, exp, floor, inf, pi, sqrt
+from derive.emit.kernels.pieces import fall
+from derive.emit.kernels.places import least_arrival, places
+
+SAFE = 1e-9  # bounds count where they hold by this much more than they must
+
+
+def samples_on(beta, eta, field_angle, length, piece, sample, short):
+    """Samples of a piece, near enough for all crossings; short: the rod is shorter than any half-swing."""
+
+    def too_low(place):
+        return least_arrival(beta, eta, piece, place) > (1 + SAFE) * length
+
+    def fallen(one, other):
+        return fall_between(eta, piece, one.place, other.place)
+
+    if too_low(inf):
+        return []
+    wanted = places(beta, eta, field_angle, length, piece)
+    first = 0
+    while first + 2 < len(wanted) and too_low(wanted[first + 1]):
+        first += 1
+    if short and arrives_convexly(field_angle, piece):
+        return valley(sample, wanted[first:], fallen, length)
+    # A motion that arrives before the stiffest pendulum is down arrives the sooner, the nearer its tip (Sturm).
+    quarter = pi / 2 / sqrt(beta + eta)
+    soon = (1 - SAFE) * min(quarter, length) if short and piece.high_kind == "clamp" else 0
+    samples = refined(sample, sampled(sample, wanted, first, soon), length)
+    end = end_sample(piece, samples[-1])
+    return samples if end is None else [*samples, end]
+
+
+def sampled(sample, places, first, soon):
+    """Samples from the first place on to one from which the motion arrives soon.
+
+    Nothing before and after is as long as the rod. One more is taken where the branches do not fall from there, or to
+    there.
+    """
+    found = [sample(place) for place in places[first : first + 2]]
+    for place in places[first + 2 :]:
+        if found[-1].arrival < soon and found[-1].arrival < found[-2].arrival:
+            break
+        found.append(sample(place))
+    while first > 0 and not falls(*found[:2]):
+        first -= 1
+        found.insert(0, sample(places[first]))
+    return found
+
+
+def falls(one, other):
+    """Whether no branch is longer at the second one."""
+    less, apart = one.swing - other.swing, one.arrival - other.arrival
+    return apart >= 0 and 2 * less >= apart
+
+
+def refined(sample, samples, length):
+    """More samples where half-swing or arrival bend between neighbours, as far as the rod's length is sensitive."""
+    done, todo = [samples[0]], samples[:0:-1]
+    while todo:
+        before, after = done[-1], todo[-1]
+        apart = after.place - before.place > 1.3
+        beside = [(done[-2], before, after)] if len(done) > 1 else []
+        beside += [(before, after, todo[-2])] if len(todo) > 1 else []
+        if apart and any(bends(one, two, three, length) for one, two, three in beside):
+            todo.append(sample((before.place + after.place) / 2))
+        else:
+            done.append(todo.pop())
+    return done
+
+
+def bends(first, second, third, length):
+    """Whether the curves bend so much at the second sample that a count may reach a whole number unseen beside it.
+
+    By how far the straight line through two samples misses the third.
+    """
+    share = (third.place - second.place) / (second.place - first.place)
+    swing = third.swing - second.swing - share * (second.swing - first.swing)
+    arrival = third.arrival - second.arrival - share * (second.arrival - first.arrival)
+    least = min(first.swing, second.swing, third.swing)
+    reach = (abs(arrival) + (length / least * abs(swing) if length > least else 0)) / (2 * least)
+    for sign in (1, -1):
+        for item in (first, second, third):
+            count = (length - sign * item.arrival) / (2 * item.swing)
+            whole = floor(count + 0.5)
+            if abs(count - whole) < reach and (whole > 0 or (whole == 0 and sign > 0)):
+                return True
+    return False
+
+
+def end_sample(piece, last):
+    """The high end itself, where its times are known: arrival at once, or after the whole half-swing."""
+    if piece.high_kind == "clamp" and piece.clamp_gap == 0 and piece.high_depth > 0:
+        return last._replace(place=last.place + 1e3, arrival=0 * last.swing)
+    if piece.high_kind == "turn":
+        return last._replace(place=last.place + 1e3, arrival=last.swing)
+    return None
+
+
+def arrives_convexly(field_angle, piece):
+    """Whether the first arrival is a convex function of the energy V(tip): see docs/solver.md."""
+    basin = piece.basin
+    known = basin.even or (field_angle == 0 and basin.far_rise == 0)
+    return known and piece.clamp_gap > piece.high_depth
+
+
+def fall_between(eta, piece, one, other):
+    """How far V falls from the tip at a place to that at a higher one."""
+    rise, drop = piece.width / (1 + exp(-one)), piece.width / (1 + exp(one))
+    further = piece.width / (1 + exp(-other)) - rise if one < 0 else drop - piece.width / (1 + exp(other))
+    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
+    if from_hill < depth:
+        return fall(eta, piece.basin.hill, from_hill, further)
+    return fall(eta, piece.basin.well, -depth, further)
+
+
+def valley(sample, places, fallen, length):
+    """Samples on both sides of every crossing of a length that is shorter than a half-swing, for a convex arrival.
+
+    Without a crossing there may be none. fallen(one, other): how far V falls from the tip of a sample to the next.
+    """
+    found = [sample(place) for place in sorted({places[0], places[len(places) // 2], places[-1]})]
+    while min(item.arrival for item in found) > length:
+        gap = open_gap(found, fallen, length)
+        if gap is None:
+            return []
+        found.insert(gap + 1, sample(inner(places, found[gap], found[gap + 1], True)))
+    done, todo = [found[0]], found[:0:-1]
+    while todo:
+        crossed = (done[-1].arrival > length) != (todo[-1].arrival > length)
+        place = inner(places, done[-1], todo[-1], False) if crossed else None
+        if place is None:
+            done.append(todo.pop())
+        else:
+            todo.append(sample(place))
+    return done
+
+
+def inner(places, one, other, always):
+    """The middle one of the places between two samples; where there is none, half way if ``always``, else None."""
+    inside = [place for place in places if one.place < place < other.place]
+    if inside:
+        return inside[len(inside) // 2]
+    return (one.place + other.place) / 2 if always else None
+
+
+def open_gap(found, fallen, length):
+    """The wider gap beside the least sample in which a convex arrival may be no longer than the length, or None."""
+    least = min(range(len(found)), key=lambda k: found[k].arrival)
+    best, widest = None, 2 * sqrt(epsilon()) * (1 + abs(found[least].place))
+    for gap in (least - 1, least):
+        if 0 <= gap < len(found) - 1:
+            width = found[gap + 1].place - found[gap].place
+            if width > widest and convex_bound(found, gap, fallen) <= (1 + SAFE) * length:
+                best, widest = gap, width
+    return best
+
+
+def convex_bound(found, gap, fallen):
+    """What a convex arrival is nowhere less than in a gap between samples: the chords beside it, carried on."""
+    one, other = found[gap], found[gap + 1]
+    width, bound = fallen(one, other), -inf
+    for near, far in ((gap, gap - 1), (gap + 1, gap + 2)):
+        if 0 <= far < len(found):
+            beside = fallen(found[min(near, far)], found[max(near, far)])
+            if beside > 0:
+                steep = (found[far].arrival - found[near].arrival) / beside
+                bound = max(bound, found[near].arrival - max(steep * width, 0))
+    return bound
