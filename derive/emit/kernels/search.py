@@ -138,21 +138,21 @@ def excess(item, turns, sign, length):
 
 
 def crossing(sample, turns, sign, length, before, after, beside):
-    """The crossing between two samples on either side of it; others beside them help to find it."""
+    """The crossing between two samples on either side of it; a third one beside them helps to start."""
     seen = {}
 
     def function(place):
         seen[place] = sample(place)
         return excess(seen[place], turns, sign, length)
 
-    known = (before, after, *beside)
+    known = (before, after, beside)
     values = [excess(item, turns, sign, length) for item in known]
     place = bracketed_root(function, [item.place for item in known], values, epsilon() * length)
     return Crossing(seen.get(place) or sample(place), turns, sign, values[1] > values[0])
 
 
 def brackets(sample, samples, counts, length, sign):
-    """(turns, sample, sample, others) for every whole number that the count crosses between the two samples."""
+    """(turns, sample, sample, a third) for every whole number that the count crosses between the two samples."""
     found = []
     for k in range(1, len(samples)):
         found += between(samples, counts, k)
@@ -169,7 +169,7 @@ def between(samples, counts, k):
     turns = range(max(ceil(low), 0), max(ceil(high), 0))
     if not turns:
         return []
-    beside = [samples[j] for j in (k - 2, k + 1, k - 3, k + 2) if 0 <= j < len(samples)]
+    beside = samples[k - 2] if k > 1 else samples[-1] if len(samples) == k + 1 else samples[k + 1]
     return [(number, samples[k - 1], samples[k], beside) for number in turns]
 
 
@@ -192,4 +192,4 @@ def at_extremum(sample, triple, counts, length, sign):
     best = dip(sample, short, left, middle, right)
     if short(best) >= 0:
         return []
-    return [(goal, left, best, [right]), (goal, best, right, [left])]
+    return [(goal, left, best, right), (goal, best, right, left)]
