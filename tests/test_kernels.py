@@ -89,6 +89,21 @@ def rods(draw, stiffest=12.0):
     return stiffness * share, stiffness * (1 - share), length, draw(angles)
 
 
+@pytest.mark.parametrize(
+    "rod",
+    [
+        (0.135039179399444, 0.13503917939945298, 5.702702710100172, -3.1415926535897922),
+        (0.0301950610069599, 0.030195061006963675, 2.0857750943235094, 3.141592663589793),
+    ],
+)
+def test_a_ridge_next_to_its_wells(rod):
+    """η is above β by some roundings only: V is flat from well to well, and the rod is next to that with η = β."""
+    beta, _, *rest = rod
+    found, at_birth = equilibria(*rod, PARALLEL), equilibria(beta, beta, *rest, PARALLEL)
+    assert [one.index for one in found] == [one.index for one in at_birth]
+    assert [one.tip_angle for one in found] == pytest.approx([one.tip_angle for one in at_birth], abs=1e-6)
+
+
 @given(rods())
 @settings(max_examples=120, deadline=None)
 def test_the_shape_satisfies_the_boundary_conditions(rod):

@@ -163,7 +163,12 @@ def level_ground(eta, scene, at):
 def ridge_ground(eta, scene, at, drop):
     """The ground with a lower ridge."""
     rests = scene.rests
-    level = reach(eta, rests[0], drop, rests[1].angle - rests[0].angle, 1)
+    down, above = rests[1].angle - rests[0].angle, fall(eta, rests[2], 0, rests[1].angle - rests[2].angle)
+    # Of a ridge that is next to its wells V tells at the hill nothing.
+    by_hill = drop < above
+    rest, amount = pick_rest(by_hill, rests[0], rests[1]), pick(by_hill, drop, above)
+    distance = reach(eta, rest, amount, down, pick(by_hill, 1, -1))
+    level = pick(by_hill, distance, down - distance)
     # Near the far hill V says which is higher only by the distance from that hill.
     height = pick(at[2] < -at[4], fall(eta, rests[2], 0, at[2]), fall(eta, rests[4], 0, at[4]) - drop)
     return Ground(eta, scene, at, drop, level, height)
