@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 c65d5aa10cdf837214e4f218f52fd59efbce157a4177a7bca74e31b52376d64d
+Digest of the inputs: sha256 1579121591b134b44233ac39b3db2c3968e8b10f708893d8c69a9f3a3e4b1644
 """
 
 from __future__ import annotations
@@ -205,21 +205,33 @@ def rates_each(beta, eta, field_angle, basin, tip, half_width, sine, near, far, 
     """dχ/dσ at the ends and in the middle of the motion."""
     middle, cosine = tip + half_width, each_cos(half_width)
     double = 2 * (middle - field_angle)
+    cos_middle, cos_double = each_cos(middle), each_cos(double)
     product = each_sqrt(near) * each_sqrt(far)
-    excess = -(2 * beta * each_cos(middle) * cosine + eta * each_cos(double) * (1 + cosine * cosine))
-    mean = -(2 * beta * each_cos(middle) + eta * cosine * each_cos(double))
-    # mean − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to level.
-    ahead, behind = each_sin(half_width / 2 + double / 2), each_sin(half_width / 2 - double / 2)
-    by_far, by_near = far - 2 * eta * ahead * ahead, near - 2 * eta * behind * behind
-    apart = above_field_each(eta, basin, middle, half_width, field_angle, height)
-    apart = each_pick(2 * by_near > near, by_near, apart)
-    apart = each_pick(2 * by_far > far, by_far, apart)
-    apart = each_pick(mean - eta > 0.1 * eta, mean - eta, apart)
+    excess = -(2 * beta * cos_middle * cosine + eta * cos_double * (1 + cosine * cosine))
+    split, rate = excess < 0, each_sqrt(product + larger(excess, 0))
+    if any_of(split):
+        mean = -(2 * beta * cos_middle + eta * cosine * cos_double)
+        apart = mean_less_field_each(eta, field_angle, basin, middle, half_width, double, near, far, height, mean)
+        rate = each_pick(split, sine * each_sqrt(apart * (mean + eta) / each_pick(split, product - excess, 1)), rate)
+    return each_sqrt(product / 2), rate / 2
+
+
+def mean_less_field_each(eta, field_angle, basin, middle, half_width, double, near, far, height, mean):
+    """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
+    level."""
+    apart = mean - eta
+    close = apart <= 0.1 * eta
+    if any_of(close):
+        ahead, behind = each_sin(half_width / 2 + double / 2), each_sin(half_width / 2 - double / 2)
+        by_far, by_near = far - 2 * eta * ahead * ahead, near - 2 * eta * behind * behind
+        known = each_pick(2 * by_far > far, by_far, by_near)
+        far_off = close & (2 * by_far <= far) & (2 * by_near <= near)
+        if any_of(far_off):
+            known = each_pick(far_off, above_field_each(eta, basin, middle, half_width, field_angle, height), known)
+        apart = each_pick(close, known, apart)
     # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.
     least = larger(height, epsilon() ** 19) if basin.passes else epsilon() * each_pick(near < far, near, far) / 4
-    apart = larger(apart, least)
-    split = sine * each_sqrt(apart * (mean + eta) / each_pick(excess < 0, product - excess, 1))
-    return each_sqrt(product / 2), each_pick(excess < 0, split, each_sqrt(product + larger(excess, 0))) / 2
+    return larger(apart, least)
 
 
 def above_field_each(eta, basin, middle, half_width, field_angle, height):

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/pieces.py: do not edit, change that file.
 
-Digest of the inputs: sha256 e116f954c3df83edff490dd48ff0d709af1a2e63ae9a7dbf66f4fe92aa48d2bf
+Digest of the inputs: sha256 f526961a3c0794f1d59687eb00eefbc8e53fbf226b8f760c91d574518dfb1764
 """
 
 from __future__ import annotations
@@ -175,7 +175,12 @@ def level_ground_each(eta, scene, at):
 def ridge_ground_each(eta, scene, at, drop):
     """The ground with a lower ridge."""
     rests = scene.rests
-    level = reach_each(eta, rests[0], drop, rests[1].angle - rests[0].angle, 1)
+    down, above = rests[1].angle - rests[0].angle, fall_each(eta, rests[2], 0, rests[1].angle - rests[2].angle)
+    # Of a ridge that is next to its wells V tells at the hill nothing.
+    by_hill = drop < above
+    rest, amount = pick_rest_each(by_hill, rests[0], rests[1]), each_pick(by_hill, drop, above)
+    distance = reach_each(eta, rest, amount, down, each_pick(by_hill, 1, -1))
+    level = each_pick(by_hill, distance, down - distance)
     # Near the far hill V says which is higher only by the distance from that hill.
     height = each_pick(at[2] < -at[4], fall_each(eta, rests[2], 0, at[2]), fall_each(eta, rests[4], 0, at[4]) - drop)
     return GroundEach(eta, scene, at, drop, level, height)
@@ -313,7 +318,8 @@ def piece_of_each(basin, low_kind, high_kind, low_offset, width, high_depth, cla
     rest, offset = rests[0], at[0]
     for other, distance in zip(rests[1:], at[1:], strict=False):
         closer = each_abs(distance) < each_abs(offset)
-        rest, offset = pick_rest_each(closer, other, rest), each_pick(closer, distance, offset)
+        if any_of(closer):
+            rest, offset = pick_rest_each(closer, other, rest), each_pick(closer, distance, offset)
     last = at[len(rests) - 1]
     return PieceEach(
         basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last

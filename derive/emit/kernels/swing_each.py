@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/swing.py: do not edit, change that file.
 
-Digest of the inputs: sha256 1ab6e1d742db2cc0bd87e8e687ad059e38168d239f12ffb37b1294f56becfe96
+Digest of the inputs: sha256 b67932b33f5c662d4fd5c704a00805cff9ea29641a8ad49c1271adc016a97404
 """
 
 from __future__ import annotations
@@ -70,12 +70,6 @@ def phase_of_each(motion):
         first, half_rest_each(end, size, delta), half_rest_beyond_each(end, motion.middle, square, size, delta)
     )
     return PhaseEach(half, rest, whole, delta)
-
-
-def times_each(motion):
-    """Half-swing, and the length from the tip to the clamp."""
-    phase = phase_of_each(motion)
-    return lengths_each(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
 
 
 def lengths_each(a, b, square, rest):
