@@ -63,7 +63,7 @@ def least_arrival(beta, eta, piece, place):
     offset = piece.low_offset + piece.width * share
     clamp = piece.low_offset + piece.width + piece.clamp_gap
     bend = min(clamp, most / steep)
-    arrival, speed = 0, 0
+    arrival, speed = 0.0, 0.0
     if offset < bend:
         ratio = bend / offset
         away = sqrt((ratio - 1) * (ratio + 1))

@@ -11,7 +11,7 @@ def bracketed_root(function, places, values, blur):
     If there is a third place, it has a value, too. blur: a value that rounding may have made of zero.
     """
     (a, b, *third), (value_a, value_b, *value_third) = places, values
-    fraction = interpolated(a, b, *third, value_a, value_b, *value_third) if third else 0.5
+    fraction = interpolated(a, b, third[0], value_a, value_b, value_third[0]) if third else 0.5
     while True:
         trial = a + fraction * (b - a)
         value = function(trial)
