@@ -8,6 +8,7 @@ from numpy import abs, concatenate, flatnonzero, full, inf, log, where, zeros
 
 from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import any_of
+from derive.emit.kernels.block_places import in_time
 from derive.emit.kernels.block_records import rows
 from derive.emit.kernels.landscape_each import (
     astroid_cusp_each,
@@ -42,6 +43,8 @@ class Rods(NamedTuple):
     """Rods in their own units of length: see ``equilibria.Rod``. case: their number in the block; slow: ℓ√(β + η)."""
 
     case: Any
+    side: Any
+    scale: Any
     beta: Any
     eta: Any
     length: Any
@@ -76,7 +79,7 @@ def groups(rods):
     for some, scene in landscapes(rods):
         clamp = clamp_in_each(scene.rests, some.clamp_angle)
         for rest, offset in zip(scene.rests, clamp.offsets, strict=True):
-            flat = flatnonzero(offset == 0)
+            flat = flatnonzero((offset == 0) & (some.side > 0))
             if flat.size:
                 straight.append(Straight(rows(some, flat), rows(rest, flat)))
         ground, low = ground_of_kind(some, scene, clamp)
@@ -84,10 +87,9 @@ def groups(rods):
         for rank, (here, build) in enumerate(ranges_each(ground)):
             which = flatnonzero(here & ~low)
             if which.size:
-                group = Group(
-                    rows(some, which), clamp.turns[which], full(which.shape, rank), build(rows(ground, which)), None
-                )
-                parts, sharp = by_dips(group)
+                given, piece = rows(some, which), build(rows(ground, which))
+                group = Group(given, clamp.turns[which], full(which.shape, rank), piece, None)
+                parts, sharp = by_dips(rows(group, in_time(given, piece)))
                 found += parts
                 doubtful.append(sharp)
     return found, straight, concatenate(doubtful)
