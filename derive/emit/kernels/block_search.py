@@ -37,7 +37,8 @@ from derive.emit.kernels.block_records import joined, rounded_to, rows
 from derive.emit.kernels.block_roots import Brackets, polished, rough_times, surplus
 
 ROUGH_SLOW = 12  # ℓ√(β + η) up to which single precision holds the places of all tips but the most extreme
-WIDE, CLOSE = 0.75, 0.25  # first steps between samples, at first and where those leave a doubt
+WIDE = 0.75  # first step between samples
+CLOSE = 0.25  # the same where those leave a doubt
 RANGES = 1024  # ranges at once: arrays that stay in the cache
 
 
