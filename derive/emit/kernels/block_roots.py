@@ -12,7 +12,7 @@ from derive.emit.kernels.block_records import joined, rounded_to, rows
 from derive.emit.kernels.motion_each import motion_at_each
 from derive.emit.kernels.swing_each import lengths_each, phase_of_each
 
-STEPS = 4  # rough steps, after which most places are right to single precision
+STEPS = 3  # rough steps, after which most places are right to single precision
 SPREAD = 2.0**-9  # distance of two places from which they tell the slope of a branch in single precision
 
 

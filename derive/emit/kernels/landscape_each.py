@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/landscape.py: do not edit, change that file.
 
-Digest of the inputs: sha256 5e334d026e70f3f7a9ca99619defa6db2fcf0993df2f1e659082327f6ad51627
+Digest of the inputs: sha256 bd6cda767be8c79f8ffb3a416f1c53f736750a5510d04b96ab4aee1876308215
 """
 
 from __future__ import annotations
@@ -217,18 +217,27 @@ def rising_root_each(function, low, high):
         exact = (value == 0) | (size == 0)
         trial = each_pick(exact, middle, middle + (middle - low) * (-value / each_pick(exact, 1, size)))
         value_trial = function(trial)
-        last = each_pick(moving, trial, last)
-        above = value > 0
-        high, value_high = each_pick(above, middle, high), each_pick(above, value, value_high)
-        low, value_low = each_pick(above, low, middle), each_pick(above, value_low, value)
-        inside = each_abs(trial - low) < each_abs(high - low), each_abs(high - trial) < each_abs(high - low)
-        rises, falls = (value_trial > 0) & inside[0], (value_trial < 0) & inside[1]
-        high, value_high = each_pick(rises, trial, high), each_pick(rises, value_trial, value_high)
-        low, value_low = each_pick(falls, trial, low), each_pick(falls, value_trial, value_low)
+        settled, last = each_abs(trial - last) <= 4 * epsilon() * each_abs(trial), each_pick(moving, trial, last)
+        low, high, value_low, value_high = narrowed_each(low, high, value_low, value_high, middle, value)
+        low, high, value_low, value_high = narrowed_each(low, high, value_low, value_high, trial, value_trial)
         moving = moving & (each_abs(high - low) > 2 * epsilon() * each_abs(trial)) & (value_trial != 0) & (exact == 0)
+        if any_of(settled & moving):
+            # The trials stay on one side of the root: is it between them and the next few numbers?
+            beside = trial + each_pick((value_trial > 0) == (high > low), -2, 2) * epsilon() * each_abs(trial)
+            beside = each_pick(settled, beside, trial)
+            low, high, value_low, value_high = narrowed_each(low, high, value_low, value_high, beside, function(beside))
+            moving = moving & (each_abs(high - low) > 2 * epsilon() * each_abs(trial))
         if not any_of(moving):
             break
     return last
+
+
+def narrowed_each(low, high, value_low, value_high, place, value):
+    """The interval about a root, with a place in it as its new end."""
+    inside = (each_abs(place - low) < each_abs(high - low)) & (each_abs(high - place) < each_abs(high - low))
+    rises, falls = inside & (value > 0), inside & (value <= 0)
+    high, value_high = each_pick(rises, place, high), each_pick(rises, value, value_high)
+    return each_pick(falls, place, low), high, each_pick(falls, value, value_low), value_high
 
 
 def offset_from_each(rest, angle, turns):

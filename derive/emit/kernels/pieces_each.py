@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/pieces.py: do not edit, change that file.
 
-Digest of the inputs: sha256 f526961a3c0794f1d59687eb00eefbc8e53fbf226b8f760c91d574518dfb1764
+Digest of the inputs: sha256 39bf6ac7f438e9fae4a0c075aac9015246515ce824dff993bffbcc9d6030f847
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ from derive.emit.kernels.array_arithmetic import (
     each_sqrt,
     larger,
 )
+from derive.emit.kernels.formulas_each import rest_fall_each, rest_moment_each
 from derive.emit.kernels.landscape_each import LandscapeEach, RestEach, offset_from_each
 from derive.emit.kernels.potential_each import fall_from_rest_each, moment_from_rest_each
 
@@ -97,23 +98,41 @@ def slope_each(eta, rest, offset):
 def reach_each(eta, rest, amount, most, side):
     """The distance from a hill (or a well) at which V is lower (or higher) by ``amount``, to one side.
 
-    most: the distance of the next well (or hill). Newton's method for the square root of the difference, which is
+    most: the distance of the next well (or hill). Halley's method for the square root of the difference, which is
     nearly linear, from the pendulum's value.
     """
     amount = larger(amount, 0)  # of a hill and a well that nearly meet, rounding may give less
     share = amount / larger(each_abs(fall_each(eta, rest, 0, side * most)), epsilon() ** 20)
     near = most * each_asin(each_sqrt(each_pick(share < 1, share, 1))) * (2 / pi)
-    goal, moving = each_sqrt(amount), True
+    goal = each_sqrt(amount)
     for _ in range(40):
-        here = each_sqrt(each_abs(fall_each(eta, rest, 0, side * near)))
-        force = larger(each_abs(slope_each(eta, rest, side * near)), epsilon() ** 20)
-        trial = near - 2 * here * (here - goal) / force
+        step, bent = step_to_each(eta, rest, side * near, goal)
+        safe = each_abs(bent) < 0.5
+        trial = near - step / each_pick(safe, 1 - bent, 1)
         trial = each_pick(trial > most, (near + most) / 2, each_pick(trial < 0, near / 2, trial))
-        # Newton's method squares the error: after a step this small the next one would change nothing.
-        moving, near = each_abs(trial - near) > each_spacing(trial) ** 0.6 * near, trial
+        # The method cubes the error, and Newton's squares it: after steps this small the next would change nothing.
+        small = each_pick(safe, each_spacing(trial) ** 0.45, each_spacing(trial) ** 0.6)
+        moving, near = each_abs(trial - near) > small * near, trial
         if not any_of(moving):
             break
     return near
+
+
+def step_to_each(eta, rest, offset, goal):
+    """Newton's step to where the square root of the change of V from a direction without moment is ``goal``, and by
+    how much its slope changes half way there, as a share of it."""
+    small, large = each_sin(offset / 4), each_cos(offset / 4)
+    sine, cosine = 2 * small * large, 1 - 2 * small * small
+    level = rest_fall_each(eta, rest.stiffness, rest.double_cosine, rest.double_sine, small, large, small, large)
+    force = each_abs(rest_moment_each(eta, rest.stiffness, rest.double_cosine, rest.double_sine, sine, cosine))
+    here, force = each_sqrt(each_abs(level)), larger(force, epsilon() ** 20)
+    whole_sine, whole_cosine = 2 * sine * cosine, 1 - 2 * sine * sine
+    # dθ″/dθ, by β and α as the direction has them.
+    turned = rest.double_cosine * (2 * whole_cosine * whole_cosine - 1 - whole_cosine)
+    turned = turned - rest.double_sine * whole_sine * (2 * whole_cosine - 0.5)
+    bend = (rest.stiffness * whole_cosine + eta * turned) * (here / force) * (here / force)
+    share = (here - goal) / larger(here, epsilon() ** 20)
+    return 2 * here * (here - goal) / force, share * (each_pick(level < 0, -bend, bend) - 0.5)
 
 
 def onward_each(eta, rest, start, amount, rough):
