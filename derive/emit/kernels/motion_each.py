@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 1579121591b134b44233ac39b3db2c3968e8b10f708893d8c69a9f3a3e4b1644
+Digest of the inputs: sha256 120471cdbac58bf6985d8c8ce6cd224a701f058f389c7e4814f20f02a83274c4
 """
 
 from __future__ import annotations
@@ -196,9 +196,10 @@ def beyond_clamp_each(eta, piece, drop, rough):
     basin, rest, start = piece.basin, piece.clamp_rest, piece.clamp_offset
     high = -piece.high_depth
     amount = fall_each(eta, basin.well, high - drop, drop)
-    better = onward_each(eta, rest, start, -amount, rough)
+    far = rough > 0.25 * each_abs(start)
+    better = onward_each(eta, rest, start, -amount, rough, far == 0)
     # Newton's method leaves a place where V is nearly level for one far away.
-    return each_pick((rough > 0.25 * each_abs(start)) | (each_abs(better - rough) > 0.01), rough, better)
+    return each_pick(far | (each_abs(better - rough) > 0.01), rough, better)
 
 
 def rates_each(beta, eta, field_angle, basin, tip, half_width, sine, near, far, height):

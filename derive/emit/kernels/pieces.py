@@ -123,11 +123,11 @@ def step_to(eta, rest, offset, goal):
     return 2 * here * (here - goal) / force, share * (pick(level < 0, -bend, bend) - 0.5)
 
 
-def onward(eta, rest, start, amount, rough):
+def onward(eta, rest, start, amount, rough, wanted):
     """How far beyond ``start``, an offset from a direction without moment, V has fallen by ``amount``.
 
     The rough value is good to rounding of the angles; where little of it is left, the slope of V at the start gives a
-    better one. Newton's method does the rest.
+    better one. Newton's method does the rest, until all that are wanted are found.
     """
     steep = slope(eta, rest, start)
     told = (abs(rough) > 1e-3 * abs(start)) | (steep == 0)
@@ -135,8 +135,10 @@ def onward(eta, rest, start, amount, rough):
     for _ in range(40):
         force = slope(eta, rest, start + distance)
         step = (fall(eta, rest, start, distance) - amount) / pick(force == 0, 1, force)
-        distance = pick(abs(distance - step) > pi, rough, distance - step)
-        if not any_of(abs(step) > spacing(distance) ** 0.6 * abs(distance)):
+        away = abs(distance - step) > pi
+        stuck = away & (distance == rough)
+        distance = pick(away, rough, distance - step)
+        if not any_of(wanted & (stuck == 0) & (abs(step) > spacing(distance) ** 0.6 * abs(distance))):
             break
     return distance
 
@@ -290,7 +292,7 @@ def level_turn(ground):
     from_well = reach(eta, basin.well, above, down, -1)
     # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
     from_hill = reach(eta, basin.hill, ground.drop + below, down, 1)
-    near = onward(eta, basin.hill, level, below, from_hill - level)
+    near = onward(eta, basin.hill, level, below, from_hill - level, True)
     width = pick(below < above / 4, near, down - level - from_well)
     return piece_of(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
 
@@ -313,7 +315,8 @@ def pass_turn(ground):
     down = over.well.angle - over.hill.angle
     width = -at[4] if over.even else reach(eta, over.hill, fall(eta, over.far, 0, at[4]), down, 1)
     # Towards the hill V is flat and tells little, but there the angles tell all.
-    gap = pick(width < level / 2, level - width, -onward(eta, over.hill, level, ground.height, width - level))
+    near = width >= level / 2
+    gap = pick(near, -onward(eta, over.hill, level, ground.height, width - level, near), level - width)
     return piece_of(over, "hill", "turn", 0, width, down - width, at[0] - width, gap, at)
 
 

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/pieces.py: do not edit, change that file.
 
-Digest of the inputs: sha256 39bf6ac7f438e9fae4a0c075aac9015246515ce824dff993bffbcc9d6030f847
+Digest of the inputs: sha256 07725a6096a4e863268077c3d3d06719614b2f224208126ae324198abb74ef92
 """
 
 from __future__ import annotations
@@ -135,11 +135,11 @@ def step_to_each(eta, rest, offset, goal):
     return 2 * here * (here - goal) / force, share * (each_pick(level < 0, -bend, bend) - 0.5)
 
 
-def onward_each(eta, rest, start, amount, rough):
+def onward_each(eta, rest, start, amount, rough, wanted):
     """How far beyond ``start``, an offset from a direction without moment, V has fallen by ``amount``.
 
     The rough value is good to rounding of the angles; where little of it is left, the slope of V at the start gives a
-    better one. Newton's method does the rest.
+    better one. Newton's method does the rest, until all that are wanted are found.
     """
     steep = slope_each(eta, rest, start)
     told = (each_abs(rough) > 0.001 * each_abs(start)) | (steep == 0)
@@ -147,8 +147,10 @@ def onward_each(eta, rest, start, amount, rough):
     for _ in range(40):
         force = slope_each(eta, rest, start + distance)
         step = (fall_each(eta, rest, start, distance) - amount) / each_pick(force == 0, 1, force)
-        distance = each_pick(each_abs(distance - step) > pi, rough, distance - step)
-        if not any_of(each_abs(step) > each_spacing(distance) ** 0.6 * each_abs(distance)):
+        away = each_abs(distance - step) > pi
+        stuck = away & (distance == rough)
+        distance = each_pick(away, rough, distance - step)
+        if not any_of(wanted & (stuck == 0) & (each_abs(step) > each_spacing(distance) ** 0.6 * each_abs(distance))):
             break
     return distance
 
@@ -302,7 +304,7 @@ def level_turn_each(ground):
     from_well = reach_each(eta, basin.well, above, down, -1)
     # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
     from_hill = reach_each(eta, basin.hill, ground.drop + below, down, 1)
-    near = onward_each(eta, basin.hill, level, below, from_hill - level)
+    near = onward_each(eta, basin.hill, level, below, from_hill - level, True)
     width = each_pick(below < above / 4, near, down - level - from_well)
     return piece_of_each(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
 
@@ -327,7 +329,8 @@ def pass_turn_each(ground):
     down = over.well.angle - over.hill.angle
     width = -at[4] if over.even else reach_each(eta, over.hill, fall_each(eta, over.far, 0, at[4]), down, 1)
     # Towards the hill V is flat and tells little, but there the angles tell all.
-    gap = each_pick(width < level / 2, level - width, -onward_each(eta, over.hill, level, ground.height, width - level))
+    near = width >= level / 2
+    gap = each_pick(near, -onward_each(eta, over.hill, level, ground.height, width - level, near), level - width)
     return piece_of_each(over, "hill", "turn", 0, width, down - width, at[0] - width, gap, at)
 
 
