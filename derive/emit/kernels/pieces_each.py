@@ -2,12 +2,10 @@
 
 Emitted by `derive emit` from kernels/pieces.py: do not edit, change that file.
 
-Digest of the inputs: sha256 07725a6096a4e863268077c3d3d06719614b2f224208126ae324198abb74ef92
+Digest of the inputs: sha256 1b1a598966fb0349c8793e3009b7456e905746631248893c95ad789e37f340bc
 """
 
 from __future__ import annotations
-
-from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import (
@@ -23,53 +21,10 @@ from derive.emit.kernels.array_arithmetic import (
     larger,
 )
 from derive.emit.kernels.formulas_each import rest_fall_each, rest_moment_each
-from derive.emit.kernels.landscape_each import LandscapeEach, RestEach, offset_from_each
+from derive.emit.kernels.landscape import Rest
+from derive.emit.kernels.landscape_each import offset_from_each
+from derive.emit.kernels.pieces import Basin, Clamp, Ground, Piece
 from derive.emit.kernels.potential_each import fall_from_rest_each, moment_from_rest_each
-
-
-class BasinEach(NamedTuple):
-    """What stops the rod and what it swings about: the hill that tips come from and the well below them, the hill
-    that stops the motion and the last well before it, and the direction where it is slowest between its ends: the
-    ridge that it passes, or the well.
-
-    far_rise: V(far) − V(hill). even: the motion is symmetric about its middle.
-    """
-
-    hill: RestEach
-    well: RestEach
-    far: RestEach
-    far_well: RestEach
-    axis: RestEach
-    far_rise: float
-    passes: bool
-    even: bool
-
-
-class PieceEach(NamedTuple):
-    """Tip angles from low to low + width in a basin; angles as differences, told without loss.
-
-    low_kind: 'hill', or 'level', where V is that of the ridge. high_kind: 'clamp', the clamp angle itself; 'turn', the
-    angle from which the rod turns back at the clamp angle; 'level'.
-    """
-
-    basin: BasinEach
-    low_kind: str
-    high_kind: str
-    low_offset: float  # low − hill
-    width: float
-    high_depth: float  # well − high
-    clamp_gap: float  # clamp − high
-    level_gap: float  # the angle at the level of the ridge − high, of a motion that passes it
-    clamp_rest: RestEach  # the direction next to the clamp
-    clamp_offset: float  # clamp − that direction
-    far_gap: float  # far − clamp
-
-
-class ClampEach(NamedTuple):
-    """The clamp angle in a landscape: whole turns, and its offset from each direction without moment."""
-
-    turns: int
-    offsets: tuple[float, ...]
 
 
 def clamp_in_each(rests, angle):
@@ -81,7 +36,7 @@ def clamp_in_each(rests, angle):
         if not any_of(shift != 0):
             break
         turns = turns + shift
-    return ClampEach(turns, offsets)
+    return Clamp(turns, offsets)
 
 
 def fall_each(eta, rest, start, change):
@@ -161,21 +116,6 @@ def ridge_fall_each(beta, eta, field_angle, hill, ridge):
     return each_cos(half) * (2 * beta * each_sin(middle) - eta * each_sin(half) * each_sin(2 * (middle - field_angle)))
 
 
-class GroundEach(NamedTuple):
-    """What the ranges of a rod are told by: its landscape and the clamp's offsets from the directions there.
-
-    drop: V(hill) − V(ridge); level: from the hill to the level of the ridge; height: V(ridge) − V(clamp). They are 0
-    where no ridge is lower than the hill.
-    """
-
-    eta: float
-    scene: LandscapeEach
-    at: tuple[float, ...]
-    drop: float
-    level: float
-    height: float
-
-
 def ground_of_each(beta, eta, field_angle, scene, clamp):
     """The ground of a rod."""
     rests, at = scene.rests, clamp.offsets
@@ -190,7 +130,7 @@ def ground_of_each(beta, eta, field_angle, scene, clamp):
 
 def level_ground_each(eta, scene, at):
     """The ground without a ridge lower than the hill."""
-    return GroundEach(eta, scene, at, 0, 0, 0)
+    return Ground(eta, scene, at, 0, 0, 0)
 
 
 def ridge_ground_each(eta, scene, at, drop):
@@ -204,7 +144,7 @@ def ridge_ground_each(eta, scene, at, drop):
     level = each_pick(by_hill, distance, down - distance)
     # Near the far hill V says which is higher only by the distance from that hill.
     height = each_pick(at[2] < -at[4], fall_each(eta, rests[2], 0, at[2]), fall_each(eta, rests[4], 0, at[4]) - drop)
-    return GroundEach(eta, scene, at, drop, level, height)
+    return Ground(eta, scene, at, drop, level, height)
 
 
 def pieces_each(beta, eta, field_angle, scene, clamp):
@@ -242,13 +182,13 @@ def basin_of_each(ground, first):
     scene = ground.scene
     hill, well, far = scene.rests[first : first + 3]
     even = scene.even and (scene.level or len(scene.rests) == 3)
-    return BasinEach(hill, well, far, well, well, ground.drop if first else 0, False, even)
+    return Basin(hill, well, far, well, well, ground.drop if first else 0, False, even)
 
 
 def over_ridge_each(ground):
     """What stops a motion that passes the ridge."""
     hill, well, ridge, second, far = ground.scene.rests
-    return BasinEach(hill, well, far, second, ridge, 0, True, ground.scene.even)
+    return Basin(hill, well, far, second, ridge, 0, True, ground.scene.even)
 
 
 def first_clamp_each(ground):
@@ -343,11 +283,9 @@ def piece_of_each(basin, low_kind, high_kind, low_offset, width, high_depth, cla
         if any_of(closer):
             rest, offset = pick_rest_each(closer, other, rest), each_pick(closer, distance, offset)
     last = at[len(rests) - 1]
-    return PieceEach(
-        basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last
-    )
+    return Piece(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last)
 
 
 def pick_rest_each(condition, yes, no):
     """One or the other direction, number by number."""
-    return RestEach(*(each_pick(condition, *pair) for pair in zip(yes, no, strict=True)))
+    return Rest(*(each_pick(condition, *pair) for pair in zip(yes, no, strict=True)))
