@@ -76,7 +76,7 @@ class Straight(NamedTuple):
 def groups(rods):
     """The ranges of tips below the clamp angle, the straight rods, and the cases that are left to the scalar solver."""
     found, straight, doubtful = [], [], [zeros(0, dtype=int)]
-    for some, scene in landscapes(rods):
+    for some, scene in by_landscape(rods):
         clamp = clamp_in_each(scene.rests, some.clamp_angle)
         for rest, offset in zip(scene.rests, clamp.offsets, strict=True):
             flat = flatnonzero((offset == 0) & (some.side > 0))
@@ -121,7 +121,7 @@ def nearly_ridge(rods, piece):
     return where(inside, missing, inf), log(rise / (piece.width - rise))
 
 
-def landscapes(rods):
+def by_landscape(rods):
     """The rods in groups with landscapes of one kind, and those."""
     beta, eta, angle = rods.beta, rods.eta, rods.field_angle
     free, strong = eta == 0, eta > beta
@@ -145,7 +145,7 @@ def landscapes(rods):
 
 
 def along_force(rods):
-    """``landscapes`` of rods with the field along the force."""
+    """``by_landscape`` of rods with the field along the force."""
     strong, alone = rods.eta > rods.beta, rods.beta == 0
     if any_of(alone):
         field = chosen(rods, alone)
@@ -159,7 +159,7 @@ def along_force(rods):
 
 
 def inclined(rods, side):
-    """``landscapes`` of rods with field angles between the force and a quarter turn to one side."""
+    """``by_landscape`` of rods with field angles between the force and a quarter turn to one side."""
     alone = rods.beta == 0
     if any_of(alone):
         field = chosen(rods, alone)

@@ -8,8 +8,8 @@ from derive.emit.kernels.arithmetic import epsilon
 from derive.emit.kernels.pieces_each import slope_each
 
 ROUGH_DEPTH = 28.0  # places up to which squares of offsets are numbers in single precision
-ENOUGH = 12.0  # places beyond which a count is its limit, but for the doubts of a hundred thousandth of all ranges
-SAFE = 1e-6  # bounds count where they hold by this much more than they must
+LATEST = 12.0  # places beyond which a count is its limit, but for the doubts of a hundred thousandth of all ranges
+SURELY = 1e-6  # bounds count where they hold by this much more than they must
 HALVINGS = 4  # of the stretch at the low end in which no motion arrives in time
 AROUND = concatenate([-(0.5 ** arange(13)), [0], 0.5 ** arange(12, -1, -1)])  # places about a dip
 
@@ -32,7 +32,7 @@ def least_arrival_each(rods, piece, offset):
 
 def in_time(rods, piece):
     """Which ranges have a motion that may arrive in time."""
-    return least_arrival_each(rods, piece, piece.low_offset + piece.width) <= (1 + SAFE) * rods.length
+    return least_arrival_each(rods, piece, piece.low_offset + piece.width) <= (1 + SURELY) * rods.length
 
 
 def ends(rods, piece):
@@ -43,15 +43,15 @@ def ends(rods, piece):
     for k in range(1, HALVINGS + 1):
         trial = late - first * 0.5**k
         offset = piece.low_offset + piece.width / (1 + exp(-trial))
-        late = where(least_arrival_each(rods, piece, offset) > (1 + SAFE) * rods.length, trial, late)
+        late = where(least_arrival_each(rods, piece, offset) > (1 + SURELY) * rods.length, trial, late)
     if piece.high_kind == "level":
         last = 2 * rods.slow + rounding
     elif piece.high_kind == "turn":
-        last = ENOUGH + 0 * rods.slow
+        last = LATEST + 0 * rods.slow
     else:
         moment = abs(slope_each(rods.eta, piece.clamp_rest, piece.clamp_offset)) + epsilon() ** 20
         deeper = 4 + log(2 * piece.width) - log(moment) - 2 * log(rods.length)
-        last = where(piece.high_depth == 0, rounding, maximum(ENOUGH, deeper))
+        last = where(piece.high_depth == 0, rounding, maximum(LATEST, deeper))
     return late, last
 
 

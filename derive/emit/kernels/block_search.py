@@ -38,7 +38,7 @@ from derive.emit.kernels.block_roots import Brackets, polished, rough_times, sur
 
 ROUGH_SLOW = 12  # ℓ√(β + η) up to which single precision holds the places of all tips but the most extreme
 WIDE = 0.75  # first step between samples
-CLOSE = 0.25  # the same where those leave a doubt
+CLOSER = 0.25  # the same where those leave a doubt
 RANGES = 1024  # ranges at once: arrays that stay in the cache
 
 
@@ -54,7 +54,7 @@ def tips(group, most):
             again.append(doubtful)
     left = unique(concatenate(again))
     if left.size:
-        sure, left = searched(group, left, float, CLOSE, most)
+        sure, left = searched(group, left, float, CLOSER, most)
         found.append(sure)
     return found, left
 
