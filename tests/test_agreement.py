@@ -166,7 +166,7 @@ KERNEL_MUTANTS = [
     pytest.param("block_tips", "side * ldexp(z, -scale)", "ldexp(z, -scale)", id="no mirror image in a sweep"),
     pytest.param("block_tips", "+= 2 * turns * change", "+= turns * change", id="half of the swings in a sweep"),
     pytest.param("block_pieces", "~strong & ~alone", "strong & ~alone", id="one well for two in a sweep"),
-    pytest.param("block_search", "<= 4 * epsilon() * (1", "<= 1e-3 * (1", id="tips of a sweep left rough"),
+    pytest.param("block_roots", "<= 4 * epsilon() * (1", "<= 1e-3 * (1", id="tips of a sweep left rough"),
 ]
 
 

@@ -386,7 +386,7 @@ def test_scalars_are_computed_by_math_and_arrays_by_numpy():
     assert "np.maximum(" in function("motion_each", text)
     assert "np.sin(" in function("moment_each", text)
     assert "np.where(np.abs(place) < epsilon()" in function("wave_each", text)
-    assert "WaveEach(" in function("motion_each", text)
+    assert "Wave(" in function("motion_each", text)
     assert "def motion" not in emitted(outputs='["literal"]').text
     assert "def motion(" not in emitted(outputs='["shape"]').text
 
@@ -398,7 +398,6 @@ def test_both_instances_of_a_formula_are_proved():
 def test_the_mpmath_twin_has_no_array_instances():
     module = emitted(backend="mpmath")
     assert EACH not in module.text
-    assert "Each" not in module.text
     with mpmath.workdps(30):
         found = load(module.text).equilibria(**ROD)[0]
         assert load(module.text).shape(found, mpmath.mpf(2)) != 0
@@ -412,7 +411,8 @@ def test_instances_are_kernel_files_to_import():
     assert (
         "from derive.emit.kernels.formulas_each import moment_each, slope_each, strength_each" in texts["motion_each"]
     )
-    assert "import WaveEach, wave_each" in texts["motion_each"]
+    assert "from derive.emit.kernels.waves import Wave\n" in texts["motion_each"]
+    assert "from derive.emit.kernels.waves_each import wave_each" in texts["motion_each"]
     assert "each_sin" in texts["formulas_each"]
     assert "each_" not in texts["formulas"]
     assert emit_kernels(THEORY, KERNELS, INSTANCES) == texts

@@ -2,7 +2,7 @@
 
 In the instance of a file every name of ``arithmetic`` is taken from ``array_arithmetic`` (sqrt becomes each_sqrt), as
 are the builtins abs, max and min; its functions, and those that it calls of other such files and of the formulas, get
-the suffix ``_each``, its classes ``Each``. Constants are taken from the scalar file. A branch on an array fails when
+the suffix ``_each``. Constants and classes are taken from the scalar file. A branch on an array fails when
 it runs, as it must: such a kernel says ``where``.
 """
 
@@ -13,7 +13,7 @@ import copy
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
-from derive.emit.backends import ARRAY_INSTANCES, EACH, EACH_CLASS, FORMULAS, SHARED, External
+from derive.emit.backends import ARRAY_INSTANCES, EACH, FORMULAS, SHARED, External
 from derive.emit.errors import EmitError
 from derive.emit.head import from_import
 from derive.emit.kernel_files import Definition, KernelFile, parse_kernel
@@ -76,7 +76,7 @@ class _Maker:
     def instance(self) -> Instance:
         """The whole instance."""
         for definition in self.kernel.definitions.values():
-            if definition.kind != "constant":
+            if isinstance(definition.node, ast.FunctionDef):
                 self.result.definitions.append("\n".join(self.lines(definition)))
         return self.result
 
@@ -90,15 +90,15 @@ class _Maker:
         for inner in ast.walk(node):
             if isinstance(inner, ast.Name) and inner.id in renamed:
                 inner.id = renamed[inner.id]
-        if isinstance(node, (ast.FunctionDef, ast.ClassDef)):
-            node.name = each_name(node)
+        if isinstance(node, ast.FunctionDef):
+            node.name += EACH
         return lines_of(node, self.kernel.lines)
 
     def target(self, name: str, node: ast.stmt) -> str:
         """What the instance calls a global name of the scalar file; what it imports for it is recorded."""
         own = self.kernel.definitions.get(name)
-        if own and own.kind != "constant":
-            return each_name(own.node)
+        if own and isinstance(own.node, ast.FunctionDef):
+            return name + EACH
         if own:
             return self.take(self.result.scalar, name)
         origin = self.kernel.imports.get(name)
@@ -116,8 +116,8 @@ class _Maker:
         if file == FORMULAS[0]:
             return self.take(FORMULAS[1], name + EACH)
         there = self.files[file].definitions.get(name) if file in self.marked else None
-        if there and there.kind != "constant":
-            return self.take(self.marked[file], each_name(there.node))
+        if there and isinstance(there.node, ast.FunctionDef):
+            return self.take(self.marked[file], name + EACH)
         return self.take(file, name)
 
     def array_name(self, name: str, node: ast.stmt) -> str:
@@ -132,9 +132,3 @@ class _Maker:
         """Import ``name`` from a kernel file."""
         self.result.imports[name] = (file, name)
         return name
-
-
-def each_name(node: ast.stmt) -> str:
-    """The name of a function or class in an array instance."""
-    name = str(getattr(node, "name", ""))
-    return name + (EACH_CLASS if isinstance(node, ast.ClassDef) else EACH)

@@ -11,7 +11,6 @@ from derive.emit.backends import (
     ARRAY_INSTANCES,
     BACKENDS,
     EACH,
-    EACH_CLASS,
     FORMULA_FILES,
     FORMULAS,
     Backend,
@@ -128,7 +127,7 @@ class KernelFiles:
         """Where ``name`` of ``file`` is taken from: without arrays, an array instance is the scalar one."""
         if self.backend.elementwise or file not in self.scalar:
             return file, name
-        return self.scalar[file], name.removesuffix(EACH).removesuffix(EACH_CLASS)
+        return self.scalar[file], name.removesuffix(EACH)
 
     def lookup(self, file: str, name: str) -> Definition | External | None:
         """What ``name`` of kernel file ``file`` is; None if there is no such name."""

@@ -2,13 +2,12 @@
 
 Emitted by `derive emit` from kernels/arcs.py: do not edit, change that file.
 
-Digest of the inputs: sha256 e838e4325f1c22da12cdeb5be2b15321e56522046e5329513043983c844b640f
+Digest of the inputs: sha256 d181d4e44678f97630b7f32551acb1de25716dd0768fc7c8539074b27d439db4
 """
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
+from derive.emit.kernels.arcs import Arc, Point
 from derive.emit.kernels.arithmetic import epsilon
 from derive.emit.kernels.array_arithmetic import (
     any_of,
@@ -50,28 +49,6 @@ from derive.emit.kernels.formulas_each import (
 from derive.emit.kernels.swing_each import second_kind_each
 
 
-class PointEach(NamedTuple):
-    """A point of a motion by ℘ − c = x and ℘ − e at its three half-period values.
-
-    one: ℘ − e₁, with e₁ that of the far turning point. product, root_sum: √(℘ − e₂)√(℘ − e₃) and √(℘ − e₂) + √(℘ − e₃),
-    real also where e₂ and e₃ are a complex pair.
-    """
-
-    strength: float  # b
-    pole: float  # x
-    one: float
-    product: float
-    root_sum: float
-
-
-class ArcEach(NamedTuple):
-    """A stretch of rod from the tip: ∫cos θ, ∫sin θ and η∫cos²(θ − α)."""
-
-    y: float
-    z: float
-    square: float
-
-
 def clamp_point_each(motion, phase):
     """The point where the motion meets the clamp."""
     b, done = strength_each(motion.near_moment), motion.done_sine
@@ -80,14 +57,14 @@ def clamp_point_each(motion, phase):
     delta = phase_rate_each(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
     # 2Δ/sin ψ is no less than ``middle``, the square of which may underflow.
     root_sum = larger(pair_root_sum_each(phase.square, delta), motion.middle)
-    return PointEach(b, point_pole_each(b, done, each_cos(motion.done / 2)), one, product, root_sum)
+    return Point(b, point_pole_each(b, done, each_cos(motion.done / 2)), one, product, root_sum)
 
 
 def far_point_each(motion):
     """The far turning point."""
     b = strength_each(motion.near_moment)
     pole = point_pole_each(b, motion.sine, each_cos(motion.half_width))
-    return PointEach(b, pole, 0, far_pair_root_each(motion.end), motion.middle)
+    return Point(b, pole, 0, far_pair_root_each(motion.end), motion.middle)
 
 
 def arc_to_each(beta, eta, field_angle, motion, point, square, rest, extent):
@@ -101,7 +78,7 @@ def arc_to_each(beta, eta, field_angle, motion, point, square, rest, extent):
     q, m = rest_stiffness_each(beta, eta, cosine, double_cosine), tip_cubic_each(beta, eta, sine, double_sine)
     kink = kink_at_each(first, second, point, root, q, m, square, rest)
     growth = second_kind_each(first, second, square, rest, extent)
-    return ArcEach(y, z, arc_square_each(beta, eta, cosine, each_cos(lean), first, root, extent, y, kink, growth))
+    return Arc(y, z, arc_square_each(beta, eta, cosine, each_cos(lean), first, root, extent, y, kink, growth))
 
 
 def shift_each(eta, double_sine, double_cosine, motion, point, root, square, rest):

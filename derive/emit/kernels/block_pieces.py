@@ -8,6 +8,7 @@ from numpy import abs, concatenate, flatnonzero, full, inf, log, where, zeros
 
 from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import any_of
+from derive.emit.kernels.block_places import in_time
 from derive.emit.kernels.block_records import rows
 from derive.emit.kernels.landscape_each import (
     astroid_cusp_each,
@@ -42,6 +43,8 @@ class Rods(NamedTuple):
     """Rods in their own units of length: see ``equilibria.Rod``. case: their number in the block; slow: ℓ√(β + η)."""
 
     case: Any
+    side: Any
+    scale: Any
     beta: Any
     eta: Any
     length: Any
@@ -73,10 +76,10 @@ class Straight(NamedTuple):
 def groups(rods):
     """The ranges of tips below the clamp angle, the straight rods, and the cases that are left to the scalar solver."""
     found, straight, doubtful = [], [], [zeros(0, dtype=int)]
-    for some, scene in landscapes(rods):
+    for some, scene in by_landscape(rods):
         clamp = clamp_in_each(scene.rests, some.clamp_angle)
         for rest, offset in zip(scene.rests, clamp.offsets, strict=True):
-            flat = flatnonzero(offset == 0)
+            flat = flatnonzero((offset == 0) & (some.side > 0))
             if flat.size:
                 straight.append(Straight(rows(some, flat), rows(rest, flat)))
         ground, low = ground_of_kind(some, scene, clamp)
@@ -84,10 +87,9 @@ def groups(rods):
         for rank, (here, build) in enumerate(ranges_each(ground)):
             which = flatnonzero(here & ~low)
             if which.size:
-                group = Group(
-                    rows(some, which), clamp.turns[which], full(which.shape, rank), build(rows(ground, which)), None
-                )
-                parts, sharp = by_dips(group)
+                given, piece = rows(some, which), build(rows(ground, which))
+                group = Group(given, clamp.turns[which], full(which.shape, rank), piece, None)
+                parts, sharp = by_dips(rows(group, in_time(given, piece)))
                 found += parts
                 doubtful.append(sharp)
     return found, straight, concatenate(doubtful)
@@ -119,7 +121,7 @@ def nearly_ridge(rods, piece):
     return where(inside, missing, inf), log(rise / (piece.width - rise))
 
 
-def landscapes(rods):
+def by_landscape(rods):
     """The rods in groups with landscapes of one kind, and those."""
     beta, eta, angle = rods.beta, rods.eta, rods.field_angle
     free, strong = eta == 0, eta > beta
@@ -143,7 +145,7 @@ def landscapes(rods):
 
 
 def along_force(rods):
-    """``landscapes`` of rods with the field along the force."""
+    """``by_landscape`` of rods with the field along the force."""
     strong, alone = rods.eta > rods.beta, rods.beta == 0
     if any_of(alone):
         field = chosen(rods, alone)
@@ -157,7 +159,7 @@ def along_force(rods):
 
 
 def inclined(rods, side):
-    """``landscapes`` of rods with field angles between the force and a quarter turn to one side."""
+    """``by_landscape`` of rods with field angles between the force and a quarter turn to one side."""
     alone = rods.beta == 0
     if any_of(alone):
         field = chosen(rods, alone)

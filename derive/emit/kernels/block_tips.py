@@ -45,7 +45,7 @@ def index_each(found):
     return where(positive == (swings % 2 == 0), swings, swings + 1).astype(int)
 
 
-def bent(group, found, side, scale, most):
+def bent(group, found, most):
     """The equilibria of tips on their branches."""
     index = index_each(found)
     wanted = flatnonzero(index <= most)
@@ -59,7 +59,7 @@ def bent(group, found, side, scale, most):
     speed = phase.delta * phase.whole / (motion.end * motion.sine) * sqrt(2 * motion.done_sine * motion.left_sine)
     gamma = 2 * beta * cosine + eta * aligned * aligned
     energy = gamma * rods.length / 2 - 2 * beta * y - square
-    scale = scale[rods.case]
+    scale, side = rods.scale, rods.side
     return Columns(
         rods.case,
         side * (some.rank - LAST),
@@ -92,7 +92,7 @@ def positions(rods, found):
     return columns
 
 
-def straight_rods(straight, scale, most):
+def straight_rods(straight, most):
     """The rods that stay straight."""
     rods, rest, length = straight.rods, straight.rest, straight.rods.length
     cosine, sine = cos(rest.extra) + 0 * length, sin(rest.extra) + 0 * length
@@ -102,7 +102,7 @@ def straight_rods(straight, scale, most):
     soft = -rest.stiffness
     index = where(soft > 0, floor(length * sqrt(abs(soft)) / pi + 0.5), 0).astype(int)
     energy = -(rods.beta * cosine + rods.eta * aligned * aligned / 2) * length
-    here = scale[rods.case]
+    here = rods.scale
     extent = ldexp(length, -here)
     gamma = ldexp(2 * rods.beta * cosine + rods.eta * aligned * aligned, 2 * here)
     found = Columns(

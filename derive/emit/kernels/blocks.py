@@ -19,6 +19,7 @@ from numpy import (
     isin,
     ldexp,
     lexsort,
+    repeat,
     sqrt,
     unique,
     where,
@@ -94,17 +95,32 @@ def in_order_each(found):
 
 def at_once(beta, eta, length, clamp_angle, field_angle, size, most):
     """The equilibria on arrays, and the rods that are left to the scalar solver."""
-    case, scale = arange(size), full(size, frexp(beta + eta)[1] // 2)
+    scale = full(size, frexp(beta + eta)[1] // 2)
     force, magnet, extent = ldexp(beta, -2 * scale), ldexp(eta, -2 * scale), ldexp(length, scale)
-    clamp, field, slow = full(size, clamp_angle), principal_each(field_angle), extent * sqrt(force + magnet)
-    rods = Rods(case, force, magnet, extent, clamp, field, slow)
-    mirrored = Rods(case, force, magnet, extent, -clamp, reflected_each(field), slow)
+    slow = extent * sqrt(force + magnet)
+    clamp, field = full(size, clamp_angle), principal_each(field_angle)
     good = (slow < SLOWEST) & (slow > epsilon())
-    fit = flatnonzero(good)
-    above, below = one_side(rows(rods, fit), 1, scale, most), one_side(rows(mirrored, fit), -1, scale, most)
-    found = joined([above[0], below[0]])
-    left = concatenate([flatnonzero(~good), above[1], below[1], flatnonzero(short(found, size, most))])
-    return found, unique(left)
+    rods = both_sides_each(rows(Rods(arange(size), 1, scale, force, magnet, extent, clamp, field, slow), good))
+    found, doubtful = on_arrays(rods, most)
+    return found, unique(concatenate([flatnonzero(~good), doubtful, flatnonzero(short(found, size, most))]))
+
+
+def both_sides_each(rods):
+    """The rods and after them their mirror images, for the tips above the clamp angle."""
+    number = rods.case.size
+    side, both = repeat(array([1, -1]), number), concatenate([arange(number), arange(number)])
+    twice = rows(rods, both)
+    return Rods(
+        twice.case,
+        side,
+        twice.scale,
+        twice.beta,
+        twice.eta,
+        twice.length,
+        side * twice.clamp_angle,
+        mirrored_each(twice.field_angle, side),
+        twice.slow,
+    )
 
 
 def short(found, size, most):
@@ -125,9 +141,9 @@ def principal_each(field_angle):
     return where(exact, field_angle, where(nearly, 0.0, where(pi / 2 - abs(angle) <= blur, pi / 2, angle)))
 
 
-def reflected_each(field_angle):
-    """``reflected`` on an array."""
-    return where((field_angle == 0) | (field_angle == pi / 2), field_angle, -field_angle)
+def mirrored_each(field_angle, side):
+    """``reflected`` on an array, where the side is −1."""
+    return where((field_angle == 0) | (field_angle == pi / 2), field_angle, side * field_angle)
 
 
 def one_by_one(beta, eta, length, clamp_angle, field_angle, max_index):
@@ -147,15 +163,14 @@ def one_by_one(beta, eta, length, clamp_angle, field_angle, max_index):
     )
 
 
-def one_side(rods, side, scale, most):
-    """The equilibria with tips on one side of the clamp angle, the straight ones with the first side, and the rods
-    left to the scalar solver."""
+def on_arrays(rods, most):
+    """The equilibria of rods with tips below the clamp angle, the straight ones, and the cases left to the scalar
+    solver."""
     found, straight, doubtful = groups(rods)
     parts, left = [no_columns()], [doubtful]
     for group in found:
         tip, lost = tips(group, most)
         left.append(group.rods.case[lost])
-        parts += [bent(group, some, side, scale, most) for some in tip]
-    if side > 0:
-        parts += [straight_rods(some, scale, most) for some in straight]
+        parts += [bent(group, some, most) for some in tip]
+    parts += [straight_rods(some, most) for some in straight]
     return joined(parts), concatenate(left)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from derive.emit.kernels.arcs import Arc, arc_to, clamp_point, far_point
 from derive.emit.kernels.arithmetic import (
@@ -22,8 +23,7 @@ from derive.emit.kernels.pieces import clamp_in, pieces
 from derive.emit.kernels.search import Stay, crossings
 
 
-@dataclass(frozen=True, slots=True)
-class Rod:
+class Rod(NamedTuple):
     """A rod in units in which β + η is of order one: lengths are 2**scale times the user's.
 
     field_angle: in (−π/2, π/2]; of the mirrored rod where ``side`` is −1.
@@ -38,8 +38,7 @@ class Rod:
     scale: int
 
 
-@dataclass(frozen=True, slots=True)
-class Swing:
+class Swing(NamedTuple):
     """A half-swing of a bent rod, for its shape: how it was found, its length, and its arc. turns: of the clamp."""
 
     stay: Stay

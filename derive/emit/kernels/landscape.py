@@ -197,18 +197,27 @@ def rising_root(function, low, high):
         exact = (value == 0) | (size == 0)
         trial = pick(exact, middle, middle + (middle - low) * (-value / pick(exact, 1, size)))
         value_trial = function(trial)
-        last = pick(moving, trial, last)
-        above = value > 0
-        high, value_high = pick(above, middle, high), pick(above, value, value_high)
-        low, value_low = pick(above, low, middle), pick(above, value_low, value)
-        inside = abs(trial - low) < abs(high - low), abs(high - trial) < abs(high - low)
-        rises, falls = (value_trial > 0) & inside[0], (value_trial < 0) & inside[1]
-        high, value_high = pick(rises, trial, high), pick(rises, value_trial, value_high)
-        low, value_low = pick(falls, trial, low), pick(falls, value_trial, value_low)
+        settled, last = abs(trial - last) <= 4 * epsilon() * abs(trial), pick(moving, trial, last)
+        low, high, value_low, value_high = narrowed(low, high, value_low, value_high, middle, value)
+        low, high, value_low, value_high = narrowed(low, high, value_low, value_high, trial, value_trial)
         moving = moving & (abs(high - low) > 2 * epsilon() * abs(trial)) & (value_trial != 0) & (exact == 0)
+        if any_of(settled & moving):
+            # The trials stay on one side of the root: is it between them and the next few numbers?
+            beside = trial + pick((value_trial > 0) == (high > low), -2, 2) * epsilon() * abs(trial)
+            beside = pick(settled, beside, trial)
+            low, high, value_low, value_high = narrowed(low, high, value_low, value_high, beside, function(beside))
+            moving = moving & (abs(high - low) > 2 * epsilon() * abs(trial))
         if not any_of(moving):
             break
     return last
+
+
+def narrowed(low, high, value_low, value_high, place, value):
+    """The interval about a root, with a place in it as its new end."""
+    inside = (abs(place - low) < abs(high - low)) & (abs(high - place) < abs(high - low))
+    rises, falls = inside & (value > 0), inside & (value <= 0)
+    high, value_high = pick(rises, place, high), pick(rises, value, value_high)
+    return pick(falls, place, low), high, pick(falls, value, value_low), value_high
 
 
 def offset_from(rest, angle, turns):

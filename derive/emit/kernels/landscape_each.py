@@ -2,12 +2,10 @@
 
 Emitted by `derive emit` from kernels/landscape.py: do not edit, change that file.
 
-Digest of the inputs: sha256 5e334d026e70f3f7a9ca99619defa6db2fcf0993df2f1e659082327f6ad51627
+Digest of the inputs: sha256 6dc563465ddbfb0cbecc0fe76a4d0d616500e1a5d30d5a7322731a87eb7979fd
 """
 
 from __future__ import annotations
-
-from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import (
@@ -22,31 +20,7 @@ from derive.emit.kernels.array_arithmetic import (
     each_sqrt,
     larger,
 )
-
-
-class RestEach(NamedTuple):
-    """A direction without moment: angle = quarters·π/2 + extra.
-
-    stiffness: dθ″/dθ there, positive on a hill. double_cosine, double_sine: of 2(angle − α).
-    """
-
-    quarters: int
-    extra: float
-    angle: float
-    stiffness: float
-    double_cosine: float
-    double_sine: float
-
-
-class LandscapeEach(NamedTuple):
-    """The directions of one turn, from the highest hill to the same hill a turn on: hill, well(, ridge, well), hill.
-
-    level: the ridge is as high as the hill. even: V is symmetric about every hill and well.
-    """
-
-    rests: tuple[RestEach, ...]
-    level: bool
-    even: bool
+from derive.emit.kernels.landscape import Landscape, Rest
 
 
 def landscape_each(beta, eta, field_angle):
@@ -86,7 +60,7 @@ def mirror_landscape_each(scene):
 
 def along_each(beta, quarters, sign):
     """A direction along or against the force, no field: what it is about the field is not asked."""
-    return RestEach(quarters, 0, quarters * (pi / 2), sign * beta, 1, 0)
+    return Rest(quarters, 0, quarters * (pi / 2), sign * beta, 1, 0)
 
 
 def mirror_rest_each(rest):
@@ -98,39 +72,39 @@ def mirror_rest_each(rest):
 
 def no_field_each(beta):
     """The force alone."""
-    return LandscapeEach((along_each(beta, 0, 1), along_each(beta, 2, -1), along_each(beta, 4, 1)), False, True)
+    return Landscape((along_each(beta, 0, 1), along_each(beta, 2, -1), along_each(beta, 4, 1)), False, True)
 
 
 def parallel_single_each(beta, eta):
     """The field along a force that is not weaker: one hill, at 0."""
-    top, again = (RestEach(quarters, 0, quarters * (pi / 2), eta + beta, 1, 0) for quarters in (0, 4))
-    return LandscapeEach((top, RestEach(2, 0, pi, eta - beta, 1, 0), again), False, True)
+    top, again = (Rest(quarters, 0, quarters * (pi / 2), eta + beta, 1, 0) for quarters in (0, 4))
+    return Landscape((top, Rest(2, 0, pi, eta - beta, 1, 0), again), False, True)
 
 
 def parallel_alone_each(eta):
     """The field without force: hills along and against it, wells across."""
-    top, side, again = (RestEach(quarters, 0, quarters * (pi / 2), eta, 1, 0) for quarters in (0, 2, 4))
-    first, second = (RestEach(quarters, 0, quarters * (pi / 2), -eta, -1, 0) for quarters in (1, 3))
-    return LandscapeEach((top, first, side, second, again), True, True)
+    top, side, again = (Rest(quarters, 0, quarters * (pi / 2), eta, 1, 0) for quarters in (0, 2, 4))
+    first, second = (Rest(quarters, 0, quarters * (pi / 2), -eta, -1, 0) for quarters in (1, 3))
+    return Landscape((top, first, side, second, again), True, True)
 
 
 def parallel_double_each(beta, eta):
     """The field along a weaker force: hills at 0 and, lower, at π."""
-    top, again = (RestEach(quarters, 0, quarters * (pi / 2), eta + beta, 1, 0) for quarters in (0, 4))
-    side = RestEach(2, 0, pi, eta - beta, 1, 0)
+    top, again = (Rest(quarters, 0, quarters * (pi / 2), eta + beta, 1, 0) for quarters in (0, 4))
+    side = Rest(2, 0, pi, eta - beta, 1, 0)
     lean = each_atan2(beta, each_sqrt((eta - beta) * (eta + beta)))
     softness = (eta - beta) * (eta + beta) / eta
     cosine = 2 * (beta / eta) * (beta / eta) - 1
     sine = -2 * (beta / eta) * each_sqrt((eta - beta) * (eta + beta)) / eta
-    first = RestEach(1, lean, pi / 2 + lean, -softness, cosine, sine)
-    second = RestEach(3, -lean, 3 * (pi / 2) - lean, -softness, cosine, -sine)
-    return LandscapeEach((top, first, side, second, again), False, True)
+    first = Rest(1, lean, pi / 2 + lean, -softness, cosine, sine)
+    second = Rest(3, -lean, 3 * (pi / 2) - lean, -softness, cosine, -sine)
+    return Landscape((top, first, side, second, again), False, True)
 
 
 def orthogonal_single_each(beta, eta):
     """The field across a force that is not weaker: one hill, at 0."""
-    top, again = (RestEach(quarters, 0, quarters * (pi / 2), beta - eta, -1, 0) for quarters in (0, 4))
-    return LandscapeEach((top, RestEach(2, 0, pi, -beta - eta, -1, 0), again), False, True)
+    top, again = (Rest(quarters, 0, quarters * (pi / 2), beta - eta, -1, 0) for quarters in (0, 4))
+    return Landscape((top, Rest(2, 0, pi, -beta - eta, -1, 0), again), False, True)
 
 
 def orthogonal_double_each(beta, eta):
@@ -139,15 +113,15 @@ def orthogonal_double_each(beta, eta):
     stiffness = (eta - beta) * (eta + beta) / eta
     cosine = 1 - 2 * (beta / eta) * (beta / eta)
     sine = -2 * (beta / eta) * each_sqrt((eta - beta) * (eta + beta)) / eta
-    low = RestEach(0, -lean, -lean, stiffness, cosine, -sine)
-    high, again = RestEach(0, lean, lean, stiffness, cosine, sine), low._replace(quarters=4, angle=2 * pi - lean)
-    top, bottom = RestEach(0, 0, 0, beta - eta, -1, 0), RestEach(2, 0, pi, -beta - eta, -1, 0)
-    return LandscapeEach((low, top, high, bottom, again), True, True)
+    low = Rest(0, -lean, -lean, stiffness, cosine, -sine)
+    high, again = Rest(0, lean, lean, stiffness, cosine, sine), low._replace(quarters=4, angle=2 * pi - lean)
+    top, bottom = Rest(0, 0, 0, beta - eta, -1, 0), Rest(2, 0, pi, -beta - eta, -1, 0)
+    return Landscape((low, top, high, bottom, again), True, True)
 
 
 def oblique_alone_each(eta, field_angle):
     """The field without force, at an angle in (0, π/2)."""
-    return LandscapeEach(tuple(rest_at_each(0 * eta, eta, field_angle, k, field_angle) for k in range(5)), True, True)
+    return Landscape(tuple(rest_at_each(0 * eta, eta, field_angle, k, field_angle) for k in range(5)), True, True)
 
 
 def oblique_single_each(beta, eta, field_angle):
@@ -160,7 +134,7 @@ def oblique_single_each(beta, eta, field_angle):
     )
     hill = rest_at_each(beta, eta, field_angle, 0, field_angle - back)
     well = rest_at_each(beta, eta, field_angle, 1, field_angle + on)
-    return LandscapeEach((hill, well, hill._replace(quarters=4, angle=hill.angle + 2 * pi)), False, False)
+    return Landscape((hill, well, hill._replace(quarters=4, angle=hill.angle + 2 * pi)), False, False)
 
 
 def oblique_double_each(beta, eta, field_angle):
@@ -175,7 +149,7 @@ def oblique_double_each(beta, eta, field_angle):
     second = rest_at_each(
         beta, eta, field_angle, 2, field_angle + rising_root_each(couple, pi / 2 + 0 * field_angle, cusp)
     )
-    return LandscapeEach((hill, well, ridge, second, again), False, False)
+    return Landscape((hill, well, ridge, second, again), False, False)
 
 
 def astroid_cusp_each(field_angle):
@@ -201,7 +175,7 @@ def rest_at_each(beta, eta, field_angle, quarters, extra):
     """The direction at this angle."""
     angle = quarters * (pi / 2) + extra
     double = 2 * (angle - field_angle)
-    return RestEach(
+    return Rest(
         quarters, extra, angle, beta * each_cos(angle) + eta * each_cos(double), each_cos(double), each_sin(double)
     )
 
@@ -217,18 +191,27 @@ def rising_root_each(function, low, high):
         exact = (value == 0) | (size == 0)
         trial = each_pick(exact, middle, middle + (middle - low) * (-value / each_pick(exact, 1, size)))
         value_trial = function(trial)
-        last = each_pick(moving, trial, last)
-        above = value > 0
-        high, value_high = each_pick(above, middle, high), each_pick(above, value, value_high)
-        low, value_low = each_pick(above, low, middle), each_pick(above, value_low, value)
-        inside = each_abs(trial - low) < each_abs(high - low), each_abs(high - trial) < each_abs(high - low)
-        rises, falls = (value_trial > 0) & inside[0], (value_trial < 0) & inside[1]
-        high, value_high = each_pick(rises, trial, high), each_pick(rises, value_trial, value_high)
-        low, value_low = each_pick(falls, trial, low), each_pick(falls, value_trial, value_low)
+        settled, last = each_abs(trial - last) <= 4 * epsilon() * each_abs(trial), each_pick(moving, trial, last)
+        low, high, value_low, value_high = narrowed_each(low, high, value_low, value_high, middle, value)
+        low, high, value_low, value_high = narrowed_each(low, high, value_low, value_high, trial, value_trial)
         moving = moving & (each_abs(high - low) > 2 * epsilon() * each_abs(trial)) & (value_trial != 0) & (exact == 0)
+        if any_of(settled & moving):
+            # The trials stay on one side of the root: is it between them and the next few numbers?
+            beside = trial + each_pick((value_trial > 0) == (high > low), -2, 2) * epsilon() * each_abs(trial)
+            beside = each_pick(settled, beside, trial)
+            low, high, value_low, value_high = narrowed_each(low, high, value_low, value_high, beside, function(beside))
+            moving = moving & (each_abs(high - low) > 2 * epsilon() * each_abs(trial))
         if not any_of(moving):
             break
     return last
+
+
+def narrowed_each(low, high, value_low, value_high, place, value):
+    """The interval about a root, with a place in it as its new end."""
+    inside = (each_abs(place - low) < each_abs(high - low)) & (each_abs(high - place) < each_abs(high - low))
+    rises, falls = inside & (value > 0), inside & (value <= 0)
+    high, value_high = each_pick(rises, place, high), each_pick(rises, value, value_high)
+    return each_pick(falls, place, low), high, each_pick(falls, value, value_low), value_high
 
 
 def offset_from_each(rest, angle, turns):

@@ -188,9 +188,10 @@ def beyond_clamp(eta, piece, drop, rough):
     basin, rest, start = piece.basin, piece.clamp_rest, piece.clamp_offset
     high = -piece.high_depth
     amount = fall(eta, basin.well, high - drop, drop)
-    better = onward(eta, rest, start, -amount, rough)
+    far = rough > 0.25 * abs(start)
+    better = onward(eta, rest, start, -amount, rough, far == 0)
     # Newton's method leaves a place where V is nearly level for one far away.
-    return pick((rough > 0.25 * abs(start)) | (abs(better - rough) > 0.01), rough, better)
+    return pick(far | (abs(better - rough) > 0.01), rough, better)
 
 
 def rates(beta, eta, field_angle, basin, tip, half_width, sine, near, far, height):

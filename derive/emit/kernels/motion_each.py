@@ -2,12 +2,10 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 1579121591b134b44233ac39b3db2c3968e8b10f708893d8c69a9f3a3e4b1644
+Digest of the inputs: sha256 730c510efc995b2c942fc9c83bd268468dd8f026b91518a0bb938ec4193623f4
 """
 
 from __future__ import annotations
-
-from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import (
@@ -24,34 +22,13 @@ from derive.emit.kernels.array_arithmetic import (
     each_sqrt,
     larger,
 )
-from derive.emit.kernels.pieces_each import PieceEach, fall_each, onward_each, reach_each, slope_each
+from derive.emit.kernels.motion import Motion
+from derive.emit.kernels.pieces import Piece
+from derive.emit.kernels.pieces_each import fall_each, onward_each, reach_each, slope_each
 from derive.emit.kernels.potential_each import fall_from_rest_each, moment_from_rest_each
 
 
-class MotionEach(NamedTuple):
-    """A motion from rest at the tip through the clamp angle to rest at the far turning point, and back.
-
-    With χ from 0 at the tip to π at the far turning point, dσ = dχ/√(end² cos²χ + middle² sin²χ).
-    """
-
-    tip: float  # the tip angle, in the turn of the landscape
-    half_width: float
-    done: float  # clamp − tip
-    left: float  # far turning point − clamp
-    near_moment: float  # θ″ at the tip
-    far_moment: float  # −θ″ at the far turning point
-    near: float  # 2θ″/sin(half_width) at the tip
-    far: float  # the same at the far turning point
-    end: float
-    middle: float
-    sine: float  # sin(half_width)
-    half_cosine: float  # cos(half_width/2)
-    uneven: float  # √far − √near
-    done_sine: float  # sin(done/2)
-    left_sine: float  # sin(left/2)
-
-
-def motion_at_each(beta, eta, field_angle, piece: PieceEach, place):
+def motion_at_each(beta, eta, field_angle, piece: Piece, place):
     """The motion of the tip at a place of a piece: −∞ is its low end, +∞ its high end."""
     basin = piece.basin
     rise, drop = piece.width / (1 + each_exp(-place)), piece.width / (1 + each_exp(place))
@@ -89,7 +66,7 @@ def motion_at_each(beta, eta, field_angle, piece: PieceEach, place):
     left_sine = each_sin(each_pick(left > pi, lack + done / 2, left / 2))
     half_cosine = each_sin(lack / 2)
     end, middle = rates_each(beta, eta, field_angle, basin, tip, half_width, sine, near, far, height)
-    return MotionEach(
+    return Motion(
         tip,
         half_width,
         done,
@@ -196,9 +173,10 @@ def beyond_clamp_each(eta, piece, drop, rough):
     basin, rest, start = piece.basin, piece.clamp_rest, piece.clamp_offset
     high = -piece.high_depth
     amount = fall_each(eta, basin.well, high - drop, drop)
-    better = onward_each(eta, rest, start, -amount, rough)
+    far = rough > 0.25 * each_abs(start)
+    better = onward_each(eta, rest, start, -amount, rough, far == 0)
     # Newton's method leaves a place where V is nearly level for one far away.
-    return each_pick((rough > 0.25 * each_abs(start)) | (each_abs(better - rough) > 0.01), rough, better)
+    return each_pick(far | (each_abs(better - rough) > 0.01), rough, better)
 
 
 def rates_each(beta, eta, field_angle, basin, tip, half_width, sine, near, far, height):

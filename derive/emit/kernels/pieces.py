@@ -10,6 +10,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import any_of, asin, cos, epsilon, floor, larger, pi, pick, sin, spacing, sqrt
+from derive.emit.kernels.formulas import rest_fall, rest_moment
 from derive.emit.kernels.landscape import Landscape, Rest, offset_from
 from derive.emit.kernels.potential import fall_from_rest, moment_from_rest
 
@@ -85,30 +86,48 @@ def slope(eta, rest, offset):
 def reach(eta, rest, amount, most, side):
     """The distance from a hill (or a well) at which V is lower (or higher) by ``amount``, to one side.
 
-    most: the distance of the next well (or hill). Newton's method for the square root of the difference, which is
+    most: the distance of the next well (or hill). Halley's method for the square root of the difference, which is
     nearly linear, from the pendulum's value.
     """
     amount = larger(amount, 0)  # of a hill and a well that nearly meet, rounding may give less
     share = amount / larger(abs(fall(eta, rest, 0, side * most)), epsilon() ** 20)
     near = most * asin(sqrt(pick(share < 1, share, 1))) * (2 / pi)
-    goal, moving = sqrt(amount), True
+    goal = sqrt(amount)
     for _ in range(40):
-        here = sqrt(abs(fall(eta, rest, 0, side * near)))
-        force = larger(abs(slope(eta, rest, side * near)), epsilon() ** 20)
-        trial = near - 2 * here * (here - goal) / force
+        step, bent = step_to(eta, rest, side * near, goal)
+        safe = abs(bent) < 0.5
+        trial = near - step / pick(safe, 1 - bent, 1)
         trial = pick(trial > most, (near + most) / 2, pick(trial < 0, near / 2, trial))
-        # Newton's method squares the error: after a step this small the next one would change nothing.
-        moving, near = abs(trial - near) > spacing(trial) ** 0.6 * near, trial
+        # The method cubes the error, and Newton's squares it: after steps this small the next would change nothing.
+        small = pick(safe, spacing(trial) ** 0.45, spacing(trial) ** 0.6)
+        moving, near = abs(trial - near) > small * near, trial
         if not any_of(moving):
             break
     return near
 
 
-def onward(eta, rest, start, amount, rough):
+def step_to(eta, rest, offset, goal):
+    """Newton's step to where the square root of the change of V from a direction without moment is ``goal``, and by
+    how much its slope changes half way there, as a share of it."""
+    small, large = sin(offset / 4), cos(offset / 4)
+    sine, cosine = 2 * small * large, 1 - 2 * small * small
+    level = rest_fall(eta, rest.stiffness, rest.double_cosine, rest.double_sine, small, large, small, large)
+    force = abs(rest_moment(eta, rest.stiffness, rest.double_cosine, rest.double_sine, sine, cosine))
+    here, force = sqrt(abs(level)), larger(force, epsilon() ** 20)
+    whole_sine, whole_cosine = 2 * sine * cosine, 1 - 2 * sine * sine
+    # dθ″/dθ, by β and α as the direction has them.
+    turned = rest.double_cosine * (2 * whole_cosine * whole_cosine - 1 - whole_cosine)
+    turned = turned - rest.double_sine * whole_sine * (2 * whole_cosine - 0.5)
+    bend = (rest.stiffness * whole_cosine + eta * turned) * (here / force) * (here / force)
+    share = (here - goal) / larger(here, epsilon() ** 20)
+    return 2 * here * (here - goal) / force, share * (pick(level < 0, -bend, bend) - 0.5)
+
+
+def onward(eta, rest, start, amount, rough, wanted):
     """How far beyond ``start``, an offset from a direction without moment, V has fallen by ``amount``.
 
     The rough value is good to rounding of the angles; where little of it is left, the slope of V at the start gives a
-    better one. Newton's method does the rest.
+    better one. Newton's method does the rest, until all that are wanted are found.
     """
     steep = slope(eta, rest, start)
     told = (abs(rough) > 1e-3 * abs(start)) | (steep == 0)
@@ -116,8 +135,10 @@ def onward(eta, rest, start, amount, rough):
     for _ in range(40):
         force = slope(eta, rest, start + distance)
         step = (fall(eta, rest, start, distance) - amount) / pick(force == 0, 1, force)
-        distance = pick(abs(distance - step) > pi, rough, distance - step)
-        if not any_of(abs(step) > spacing(distance) ** 0.6 * abs(distance)):
+        away = abs(distance - step) > pi
+        stuck = away & (distance == rough)
+        distance = pick(away, rough, distance - step)
+        if not any_of(wanted & (stuck == 0) & (abs(step) > spacing(distance) ** 0.6 * abs(distance))):
             break
     return distance
 
@@ -271,7 +292,7 @@ def level_turn(ground):
     from_well = reach(eta, basin.well, above, down, -1)
     # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
     from_hill = reach(eta, basin.hill, ground.drop + below, down, 1)
-    near = onward(eta, basin.hill, level, below, from_hill - level)
+    near = onward(eta, basin.hill, level, below, from_hill - level, True)
     width = pick(below < above / 4, near, down - level - from_well)
     return piece_of(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
 
@@ -294,7 +315,8 @@ def pass_turn(ground):
     down = over.well.angle - over.hill.angle
     width = -at[4] if over.even else reach(eta, over.hill, fall(eta, over.far, 0, at[4]), down, 1)
     # Towards the hill V is flat and tells little, but there the angles tell all.
-    gap = pick(width < level / 2, level - width, -onward(eta, over.hill, level, ground.height, width - level))
+    near = width >= level / 2
+    gap = pick(near, -onward(eta, over.hill, level, ground.height, width - level, near), level - width)
     return piece_of(over, "hill", "turn", 0, width, down - width, at[0] - width, gap, at)
 
 

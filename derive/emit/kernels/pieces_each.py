@@ -2,12 +2,10 @@
 
 Emitted by `derive emit` from kernels/pieces.py: do not edit, change that file.
 
-Digest of the inputs: sha256 f526961a3c0794f1d59687eb00eefbc8e53fbf226b8f760c91d574518dfb1764
+Digest of the inputs: sha256 1b1a598966fb0349c8793e3009b7456e905746631248893c95ad789e37f340bc
 """
 
 from __future__ import annotations
-
-from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import (
@@ -22,53 +20,11 @@ from derive.emit.kernels.array_arithmetic import (
     each_sqrt,
     larger,
 )
-from derive.emit.kernels.landscape_each import LandscapeEach, RestEach, offset_from_each
+from derive.emit.kernels.formulas_each import rest_fall_each, rest_moment_each
+from derive.emit.kernels.landscape import Rest
+from derive.emit.kernels.landscape_each import offset_from_each
+from derive.emit.kernels.pieces import Basin, Clamp, Ground, Piece
 from derive.emit.kernels.potential_each import fall_from_rest_each, moment_from_rest_each
-
-
-class BasinEach(NamedTuple):
-    """What stops the rod and what it swings about: the hill that tips come from and the well below them, the hill
-    that stops the motion and the last well before it, and the direction where it is slowest between its ends: the
-    ridge that it passes, or the well.
-
-    far_rise: V(far) − V(hill). even: the motion is symmetric about its middle.
-    """
-
-    hill: RestEach
-    well: RestEach
-    far: RestEach
-    far_well: RestEach
-    axis: RestEach
-    far_rise: float
-    passes: bool
-    even: bool
-
-
-class PieceEach(NamedTuple):
-    """Tip angles from low to low + width in a basin; angles as differences, told without loss.
-
-    low_kind: 'hill', or 'level', where V is that of the ridge. high_kind: 'clamp', the clamp angle itself; 'turn', the
-    angle from which the rod turns back at the clamp angle; 'level'.
-    """
-
-    basin: BasinEach
-    low_kind: str
-    high_kind: str
-    low_offset: float  # low − hill
-    width: float
-    high_depth: float  # well − high
-    clamp_gap: float  # clamp − high
-    level_gap: float  # the angle at the level of the ridge − high, of a motion that passes it
-    clamp_rest: RestEach  # the direction next to the clamp
-    clamp_offset: float  # clamp − that direction
-    far_gap: float  # far − clamp
-
-
-class ClampEach(NamedTuple):
-    """The clamp angle in a landscape: whole turns, and its offset from each direction without moment."""
-
-    turns: int
-    offsets: tuple[float, ...]
 
 
 def clamp_in_each(rests, angle):
@@ -80,7 +36,7 @@ def clamp_in_each(rests, angle):
         if not any_of(shift != 0):
             break
         turns = turns + shift
-    return ClampEach(turns, offsets)
+    return Clamp(turns, offsets)
 
 
 def fall_each(eta, rest, start, change):
@@ -97,30 +53,48 @@ def slope_each(eta, rest, offset):
 def reach_each(eta, rest, amount, most, side):
     """The distance from a hill (or a well) at which V is lower (or higher) by ``amount``, to one side.
 
-    most: the distance of the next well (or hill). Newton's method for the square root of the difference, which is
+    most: the distance of the next well (or hill). Halley's method for the square root of the difference, which is
     nearly linear, from the pendulum's value.
     """
     amount = larger(amount, 0)  # of a hill and a well that nearly meet, rounding may give less
     share = amount / larger(each_abs(fall_each(eta, rest, 0, side * most)), epsilon() ** 20)
     near = most * each_asin(each_sqrt(each_pick(share < 1, share, 1))) * (2 / pi)
-    goal, moving = each_sqrt(amount), True
+    goal = each_sqrt(amount)
     for _ in range(40):
-        here = each_sqrt(each_abs(fall_each(eta, rest, 0, side * near)))
-        force = larger(each_abs(slope_each(eta, rest, side * near)), epsilon() ** 20)
-        trial = near - 2 * here * (here - goal) / force
+        step, bent = step_to_each(eta, rest, side * near, goal)
+        safe = each_abs(bent) < 0.5
+        trial = near - step / each_pick(safe, 1 - bent, 1)
         trial = each_pick(trial > most, (near + most) / 2, each_pick(trial < 0, near / 2, trial))
-        # Newton's method squares the error: after a step this small the next one would change nothing.
-        moving, near = each_abs(trial - near) > each_spacing(trial) ** 0.6 * near, trial
+        # The method cubes the error, and Newton's squares it: after steps this small the next would change nothing.
+        small = each_pick(safe, each_spacing(trial) ** 0.45, each_spacing(trial) ** 0.6)
+        moving, near = each_abs(trial - near) > small * near, trial
         if not any_of(moving):
             break
     return near
 
 
-def onward_each(eta, rest, start, amount, rough):
+def step_to_each(eta, rest, offset, goal):
+    """Newton's step to where the square root of the change of V from a direction without moment is ``goal``, and by
+    how much its slope changes half way there, as a share of it."""
+    small, large = each_sin(offset / 4), each_cos(offset / 4)
+    sine, cosine = 2 * small * large, 1 - 2 * small * small
+    level = rest_fall_each(eta, rest.stiffness, rest.double_cosine, rest.double_sine, small, large, small, large)
+    force = each_abs(rest_moment_each(eta, rest.stiffness, rest.double_cosine, rest.double_sine, sine, cosine))
+    here, force = each_sqrt(each_abs(level)), larger(force, epsilon() ** 20)
+    whole_sine, whole_cosine = 2 * sine * cosine, 1 - 2 * sine * sine
+    # dθ″/dθ, by β and α as the direction has them.
+    turned = rest.double_cosine * (2 * whole_cosine * whole_cosine - 1 - whole_cosine)
+    turned = turned - rest.double_sine * whole_sine * (2 * whole_cosine - 0.5)
+    bend = (rest.stiffness * whole_cosine + eta * turned) * (here / force) * (here / force)
+    share = (here - goal) / larger(here, epsilon() ** 20)
+    return 2 * here * (here - goal) / force, share * (each_pick(level < 0, -bend, bend) - 0.5)
+
+
+def onward_each(eta, rest, start, amount, rough, wanted):
     """How far beyond ``start``, an offset from a direction without moment, V has fallen by ``amount``.
 
     The rough value is good to rounding of the angles; where little of it is left, the slope of V at the start gives a
-    better one. Newton's method does the rest.
+    better one. Newton's method does the rest, until all that are wanted are found.
     """
     steep = slope_each(eta, rest, start)
     told = (each_abs(rough) > 0.001 * each_abs(start)) | (steep == 0)
@@ -128,8 +102,10 @@ def onward_each(eta, rest, start, amount, rough):
     for _ in range(40):
         force = slope_each(eta, rest, start + distance)
         step = (fall_each(eta, rest, start, distance) - amount) / each_pick(force == 0, 1, force)
-        distance = each_pick(each_abs(distance - step) > pi, rough, distance - step)
-        if not any_of(each_abs(step) > each_spacing(distance) ** 0.6 * each_abs(distance)):
+        away = each_abs(distance - step) > pi
+        stuck = away & (distance == rough)
+        distance = each_pick(away, rough, distance - step)
+        if not any_of(wanted & (stuck == 0) & (each_abs(step) > each_spacing(distance) ** 0.6 * each_abs(distance))):
             break
     return distance
 
@@ -138,21 +114,6 @@ def ridge_fall_each(beta, eta, field_angle, hill, ridge):
     """V(hill) − V(ridge): the sine of half their distance times the slope of V between, as if it were a circle."""
     half, middle = (ridge.extra - hill.extra) / 2, pi / 2 + (hill.extra + ridge.extra) / 2
     return each_cos(half) * (2 * beta * each_sin(middle) - eta * each_sin(half) * each_sin(2 * (middle - field_angle)))
-
-
-class GroundEach(NamedTuple):
-    """What the ranges of a rod are told by: its landscape and the clamp's offsets from the directions there.
-
-    drop: V(hill) − V(ridge); level: from the hill to the level of the ridge; height: V(ridge) − V(clamp). They are 0
-    where no ridge is lower than the hill.
-    """
-
-    eta: float
-    scene: LandscapeEach
-    at: tuple[float, ...]
-    drop: float
-    level: float
-    height: float
 
 
 def ground_of_each(beta, eta, field_angle, scene, clamp):
@@ -169,7 +130,7 @@ def ground_of_each(beta, eta, field_angle, scene, clamp):
 
 def level_ground_each(eta, scene, at):
     """The ground without a ridge lower than the hill."""
-    return GroundEach(eta, scene, at, 0, 0, 0)
+    return Ground(eta, scene, at, 0, 0, 0)
 
 
 def ridge_ground_each(eta, scene, at, drop):
@@ -183,7 +144,7 @@ def ridge_ground_each(eta, scene, at, drop):
     level = each_pick(by_hill, distance, down - distance)
     # Near the far hill V says which is higher only by the distance from that hill.
     height = each_pick(at[2] < -at[4], fall_each(eta, rests[2], 0, at[2]), fall_each(eta, rests[4], 0, at[4]) - drop)
-    return GroundEach(eta, scene, at, drop, level, height)
+    return Ground(eta, scene, at, drop, level, height)
 
 
 def pieces_each(beta, eta, field_angle, scene, clamp):
@@ -221,13 +182,13 @@ def basin_of_each(ground, first):
     scene = ground.scene
     hill, well, far = scene.rests[first : first + 3]
     even = scene.even and (scene.level or len(scene.rests) == 3)
-    return BasinEach(hill, well, far, well, well, ground.drop if first else 0, False, even)
+    return Basin(hill, well, far, well, well, ground.drop if first else 0, False, even)
 
 
 def over_ridge_each(ground):
     """What stops a motion that passes the ridge."""
     hill, well, ridge, second, far = ground.scene.rests
-    return BasinEach(hill, well, far, second, ridge, 0, True, ground.scene.even)
+    return Basin(hill, well, far, second, ridge, 0, True, ground.scene.even)
 
 
 def first_clamp_each(ground):
@@ -283,7 +244,7 @@ def level_turn_each(ground):
     from_well = reach_each(eta, basin.well, above, down, -1)
     # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
     from_hill = reach_each(eta, basin.hill, ground.drop + below, down, 1)
-    near = onward_each(eta, basin.hill, level, below, from_hill - level)
+    near = onward_each(eta, basin.hill, level, below, from_hill - level, True)
     width = each_pick(below < above / 4, near, down - level - from_well)
     return piece_of_each(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
 
@@ -308,7 +269,8 @@ def pass_turn_each(ground):
     down = over.well.angle - over.hill.angle
     width = -at[4] if over.even else reach_each(eta, over.hill, fall_each(eta, over.far, 0, at[4]), down, 1)
     # Towards the hill V is flat and tells little, but there the angles tell all.
-    gap = each_pick(width < level / 2, level - width, -onward_each(eta, over.hill, level, ground.height, width - level))
+    near = width >= level / 2
+    gap = each_pick(near, -onward_each(eta, over.hill, level, ground.height, width - level, near), level - width)
     return piece_of_each(over, "hill", "turn", 0, width, down - width, at[0] - width, gap, at)
 
 
@@ -321,11 +283,9 @@ def piece_of_each(basin, low_kind, high_kind, low_offset, width, high_depth, cla
         if any_of(closer):
             rest, offset = pick_rest_each(closer, other, rest), each_pick(closer, distance, offset)
     last = at[len(rests) - 1]
-    return PieceEach(
-        basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last
-    )
+    return Piece(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last)
 
 
 def pick_rest_each(condition, yes, no):
     """One or the other direction, number by number."""
-    return RestEach(*(each_pick(condition, *pair) for pair in zip(yes, no, strict=True)))
+    return Rest(*(each_pick(condition, *pair) for pair in zip(yes, no, strict=True)))

@@ -2,12 +2,10 @@
 
 Emitted by `derive emit` from kernels/swing.py: do not edit, change that file.
 
-Digest of the inputs: sha256 b67932b33f5c662d4fd5c704a00805cff9ea29641a8ad49c1271adc016a97404
+Digest of the inputs: sha256 69ba33196038ea7a754ae1213591190042983cf98ee40dc8372ebe837cf7ca31
 """
 
 from __future__ import annotations
-
-from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import (
@@ -37,19 +35,7 @@ from derive.emit.kernels.formulas_each import (
     phase_sum_each,
     second_kind_step_each,
 )
-
-
-class PhaseEach(NamedTuple):
-    """Where on its half-swing the motion meets the clamp.
-
-    The length from the tip is ∫dψ/√(a² cos²ψ + b² sin²ψ) from 0 to ψ, with a and b half of ``end`` and ``middle``; the
-    half-swing ends at ψ = π/2. whole, delta: what the speed there follows from.
-    """
-
-    square: float  # sin²ψ
-    rest: float  # cos²ψ
-    whole: float
-    delta: float
+from derive.emit.kernels.swing import Phase
 
 
 def phase_of_each(motion):
@@ -69,7 +55,7 @@ def phase_of_each(motion):
     rest = each_pick(
         first, half_rest_each(end, size, delta), half_rest_beyond_each(end, motion.middle, square, size, delta)
     )
-    return PhaseEach(half, rest, whole, delta)
+    return Phase(half, rest, whole, delta)
 
 
 def lengths_each(a, b, square, rest):

@@ -1,0 +1,149 @@
+"""The tips of many rods to rounding, from the samples on either side of each: ``search.crossing`` on arrays."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from numpy import abs, bincount, concatenate, flatnonzero, full, maximum, minimum, nan, where
+
+from derive.emit.kernels.arithmetic import epsilon, pi
+from derive.emit.kernels.array_arithmetic import each_atan2, each_sqrt
+from derive.emit.kernels.block_records import joined, rounded_to, rows
+from derive.emit.kernels.motion_each import motion_at_each
+from derive.emit.kernels.swing_each import lengths_each, phase_of_each
+
+STEPS = 3  # rough steps, after which most places are right to single precision
+SPREAD = 2.0**-9  # distance of two places from which they tell the slope of a branch in single precision
+
+
+class Brackets(NamedTuple):
+    """Crossings to be found: the range, by its number in the group, the branch, places on either side, and there the
+    length of the branch less the rod's."""
+
+    range: Any
+    turns: Any
+    sign: Any
+    left: Any
+    right: Any
+    value_left: Any
+    value_right: Any
+
+
+class Found(NamedTuple):
+    """Tips: the range, place and branch, whether it grows with the tip, the motion with its phase and its times."""
+
+    range: Any
+    place: Any
+    turns: Any
+    sign: Any
+    rising: Any
+    motion: Any
+    phase: Any
+    swing: Any
+    arrival: Any
+
+
+def rough_times(rods, piece, place):
+    """Half-swing and first arrival, to the square of a thousandth or the rounding of the numbers given."""
+    motion = motion_at_each(rods.beta, rods.eta, rods.field_angle, piece, place)
+    phase = phase_of_each(motion)
+    a, b, square, rest = motion.end / 2, motion.middle / 2, phase.square, phase.rest
+    more = True
+    while more:
+        more = (abs(a - b) > 1e-3 * a).any()
+        delta = each_sqrt(a * a * rest + b * b * square)
+        total, below = a + b, a + delta
+        ratio = total / below
+        inner = a + (a * a + b * b * square) / (delta + b * square)
+        square, rest = ratio * ratio * square, 2 * a / below * rest * (inner / below)
+        a, b = total / 2, each_sqrt(a * b)
+    mean = (a + b) / 2
+    return pi / 2 / mean, each_atan2(each_sqrt(square), each_sqrt(rest)) / mean
+
+
+def surplus(swing, arrival, turns, sign, length):
+    """The length of a branch less the rod's."""
+    return 2 * turns * swing + sign * arrival - length
+
+
+def approached(group, brackets):
+    """Rough crossings by Chandrupatla's method (1997): places, and the slope of the branch there."""
+    kind = brackets.left.dtype
+    turns, sign = brackets.turns.astype(kind), brackets.sign.astype(kind)
+    a, b, value_a, value_b = brackets.left, brackets.right, brackets.value_left, brackets.value_right
+    slope = (value_a - value_b) / (a - b)
+    fraction = full(a.shape, 0.5, dtype=kind)
+    secant = value_a / (value_a - value_b)
+    inside = (secant > 0.05) & (secant < 0.95)
+    fraction[inside] = secant[inside]
+    for _ in range(STEPS):
+        trial = a + fraction * (b - a)
+        swing, arrival = rough_times(group.rods, group.piece, trial)
+        value = surplus(swing, arrival, turns, sign, group.rods.length)
+        same = (value > 0) == (value_a > 0)
+        c, value_c = where(same, a, b), where(same, value_a, value_b)
+        b, value_b = where(same, b, a), where(same, value_b, value_a)
+        a, value_a = trial, value
+        near, value_near = where(abs(a - b) < abs(a - c), b, c), where(abs(a - b) < abs(a - c), value_b, value_c)
+        slope = where(abs(near - a) > SPREAD, (value_near - value_a) / (near - a), slope)
+        fraction = inverse_quadratic(a, b, c, value_a, value_b, value_c)
+    return a + fraction * (b - a), slope
+
+
+def inverse_quadratic(a, b, c, value_a, value_b, value_c):
+    """Where on the way from a to b inverse quadratic interpolation puts the zero, or half way where it is unsafe."""
+    x, y = (a - b) / (c - b), (value_a - value_b) / (value_c - value_b)
+    share = value_a / (value_b - value_a) * value_c / (value_b - value_c)
+    share = share + (c - a) / (b - a) * value_a / (value_c - value_a) * value_b / (value_c - value_b)
+    return where((y * y < x) & ((1 - y) * (1 - y) < 1 - x) & (share > 0) & (share < 1), share, a.dtype.type(0.5))
+
+
+def polished(group, brackets, kind):
+    """The crossings to rounding, by secants from the rough ones, and the ranges in which one is not found so."""
+    place, slope = approached(rounded_to(rows(group, brackets.range), kind), brackets)
+    some = rows(group, brackets.range)
+    place, slope, length = place.astype(float), slope.astype(float), some.rods.length
+    least, most = minimum(brackets.left, brackets.right) - 0.01, maximum(brackets.left, brackets.right) + 0.01
+    rising = (brackets.value_right > brackets.value_left) == (brackets.right > brackets.left)
+    todo = flatnonzero((brackets.value_left > 0) != (brackets.value_right > 0))
+    value, before = full(place.shape, nan), place.copy()
+    parts = []
+    for turn in range(8):
+        here, branch = rows((some, brackets), todo) if todo.size < place.size else (some, brackets)
+        motion = motion_at_each(here.rods.beta, here.rods.eta, here.rods.field_angle, here.piece, place[todo])
+        phase = phase_of_each(motion)
+        swing, arrival = lengths_each(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
+        now = surplus(swing, arrival, branch.turns, branch.sign, length[todo])
+        if turn:
+            change = place[todo] - before[todo]
+            slope[todo] = where(change == 0, slope[todo], (now - value[todo]) / where(change == 0, 1, change))
+        step = now / slope[todo]
+        close = abs(step) <= 4 * epsilon() * (1 + abs(place[todo]))
+        close |= abs(now) <= 4 * epsilon() * length[todo]
+        done = todo[close]
+        state, branch = rows((motion, phase, swing, arrival), close), rows(branch, close)
+        parts.append(
+            Found(
+                branch.range,
+                place[done],
+                branch.turns,
+                branch.sign,
+                rising[done],
+                state[0],
+                state[1],
+                state[2],
+                state[3],
+            )
+        )
+        value[todo], before[todo] = now, place[todo]
+        place[todo] -= step
+        todo = todo[~close & (place[todo] >= least[todo]) & (place[todo] <= most[todo])]
+        if not todo.size:
+            break
+    return joined(parts), lost_ranges(brackets, parts)
+
+
+def lost_ranges(brackets, parts):
+    """The ranges of which not every crossing has been found."""
+    wanted = bincount(brackets.range)
+    return flatnonzero(wanted != bincount(concatenate([part.range for part in parts]), minlength=wanted.size))
