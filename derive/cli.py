@@ -14,6 +14,7 @@ PLACES = {
     "check": "commands_check",
     "emit": "commands_emit",
     "explain": "commands_explain",
+    "measure": "commands_measure",
     "report": "commands_report",
     "solve": "commands_solve",
     "figures": "commands_figures",
@@ -79,6 +80,11 @@ def parser() -> argparse.ArgumentParser:
     solve_options(add)
     for name in NUMBERS:
         add.add_argument(f"--{name}", metavar="X", help="a number; multiples of pi as in 3*pi/4")
+
+    add = commands.add_parser("measure", parents=[common], help="error against run time, for us and for others")
+    add.add_argument("--quick", action="store_true", help="smaller runs, kept only with --out; times say little")
+    add.add_argument("--only", action="append", default=[], metavar="PART", help="T1 … V, growth, atlas, stability")
+    add.add_argument("--out", type=Path, metavar="DIR", help="records to go on from, tables, pictures (measurements)")
 
     add = commands.add_parser("sweep", parents=[common], help="complete branches over one parameter", epilog=SWEEP)
     add.add_argument("scene", metavar="SCENE", help="shipped scene, or a scene file")

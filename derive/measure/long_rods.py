@@ -14,7 +14,7 @@ from typing import Any
 from mpmath import mp, mpf
 
 from derive.measure.chains import Chain, Guess, Node, Shot
-from derive.measure.reference import DIGITS, FRACTIONS, MOST_ROUNDS, NoEquilibriumError, Reference, Rod
+from derive.measure.reference import DIGITS, FRACTIONS, MOST_ROUNDS, NoEquilibriumError, Reference, Rod, along
 
 GUARD_DIGITS = 10
 FIRST_DIGITS = 24
@@ -82,7 +82,7 @@ def result(chain: Chain, shot: Shot, sizes: Sequence[float]) -> Refined:
     tip = shot.nodes[0]
     fold = shot.slope if chain.direct else -shot.slope * chain.moment(tip)
     drawn = profile(chain, shot)
-    reference = Reference(chain.rod, shot.index, quantities(chain.rod, drawn), sensitivities(chain, shot.nodes, fold))
+    reference = Reference(chain.rod, shot.index, quantities(chain.rod, drawn), sensitivities(chain, shot, fold))
     arc, theta, curvature, y, z, _ = (tuple(column) for column in zip(*drawn, strict=True))
     rest = +chain.rests[tip.base].angle
     return Refined(reference, rest, tip.delta, fold, shot.correction, tuple(sizes), arc, theta, curvature, y, z)
@@ -115,13 +115,17 @@ def quantities(rod: Rod, drawn: Sequence[tuple[Any, ...]]) -> dict[str, Any]:
     return values
 
 
-def sensitivities(chain: Chain, nodes: Sequence[Node], fold: Any) -> dict[str, float]:
+def sensitivities(chain: Chain, shot: Shot, fold: Any) -> dict[str, float]:
     """Σ|p ∂quantity/∂p| over the inputs, by differences at a fixed unknown, which then follows so that θ(0) is kept.
 
     At fixed s/ℓ the length does what β and η do together: ℓ∂_ℓ = 2(β∂_β + η∂_η) for angles; lengths are scaled besides.
+    The arc length s of a point is an input by itself, so what it does is taken off again, and counted apart.
     """
-    extra = height_digits(chain, nodes)
-    nudge, digits = mpf(NUDGE) * mpf(10) ** -extra, FIRST_DIGITS + extra
+    extra = height_digits(chain, shot.nodes)
+    # A rod that is next to straight moves as little as its tip or θ(0) does, and must show it.
+    move = float(abs(chain.unknown if chain.direct else shot.slope * chain.unknown))
+    little = ceil(min(MOST_EXTRA, max(0.0, -log10(move or 1e-300))))
+    nudge, digits = mpf(NUDGE) * mpf(10) ** -extra, FIRST_DIGITS + extra + little
     base = responses(chain, digits)
     push = nudge * abs(chain.unknown or 1 / max(1, abs(fold))) if chain.direct else nudge
     freely = responses(chain.moved(push), digits)
@@ -136,8 +140,10 @@ def sensitivities(chain: Chain, nodes: Sequence[Node], fold: Any) -> dict[str, f
             return dict.fromkeys((key for key in base if key != "clamp"), float("inf"))
         parts[name] = {key: (there[key] - base[key]) / nudge for key in base}
     units = {"y": 1, "z": 1, "clamp_curvature": -1, "curvature": -1, "energy": -1, "gamma": -2}
+    parts["s"] = along(chain.rod, base)
     parts["length"] = {
-        key: 2 * (parts["beta"][key] + parts["eta"][key]) + units.get(key.split("(")[0], 0) * base[key] for key in base
+        key: 2 * (parts["beta"][key] + parts["eta"][key]) + units.get(key.split("(")[0], 0) * base[key] - own
+        for key, own in parts["s"].items()
     }
     parts["clamp_angle"] = dict.fromkeys(base, mpf(0)) | {"clamp": -mpf(chain.rod.clamp_angle)}
     totals = dict.fromkeys(base, mpf(0))

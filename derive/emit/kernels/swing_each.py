@@ -2,10 +2,12 @@
 
 Emitted by `derive emit` from kernels/swing.py: do not edit, change that file.
 
-Digest of the inputs: sha256 69ba33196038ea7a754ae1213591190042983cf98ee40dc8372ebe837cf7ca31
+Digest of the inputs: sha256 6e8c160adce4f436cb806f20b4724d39822ec9ffaad0387ba534b751e632510c
 """
 
 from __future__ import annotations
+
+from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import (
@@ -35,7 +37,19 @@ from derive.emit.kernels.formulas_each import (
     phase_sum_each,
     second_kind_step_each,
 )
-from derive.emit.kernels.swing import Phase
+
+
+class PhaseEach(NamedTuple):
+    """Where on its half-swing the motion meets the clamp.
+
+    The length from the tip is ∫dψ/√(a² cos²ψ + b² sin²ψ) from 0 to ψ, with a and b half of ``end`` and ``middle``; the
+    half-swing ends at ψ = π/2. whole, delta: what the speed there follows from.
+    """
+
+    square: float  # sin²ψ
+    rest: float  # cos²ψ
+    whole: float
+    delta: float
 
 
 def phase_of_each(motion):
@@ -55,7 +69,13 @@ def phase_of_each(motion):
     rest = each_pick(
         first, half_rest_each(end, size, delta), half_rest_beyond_each(end, motion.middle, square, size, delta)
     )
-    return Phase(half, rest, whole, delta)
+    return PhaseEach(half, rest, whole, delta)
+
+
+def times_each(motion):
+    """Half-swing, and the length from the tip to the clamp."""
+    phase = phase_of_each(motion)
+    return lengths_each(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
 
 
 def lengths_each(a, b, square, rest):
@@ -87,22 +107,22 @@ def second_kind_each(a, b, square, rest, arrival):
     return growth
 
 
-def phase_at_each(a, b, length):
-    """sin²ψ and cos²ψ at a length from the tip within the half-swing: the transformation undone."""
+def phase_at_each(a, b, length, left):
+    """sin²ψ and cos²ψ at lengths from the tip and from the half-swing's end: the transformation undone."""
     limit = 2 * epsilon() ** 0.5
     steps = [(a, b)]
     while any_of(each_abs(a - b) > limit * a):
         a, b = (a + b) / 2, each_sqrt(a * b)
         steps.append((a, b))
     a, b = (a + b) / 2, each_sqrt(a * b)
-    mean = (a + b) / 2
-    quarter = pi / (2 * mean)
-    first = 2 * length <= quarter
-    small = each_sin(mean * each_pick(first, length, quarter - length))
+    first = length <= left
+    small = each_sin((a + b) / 2 * each_pick(first, length, left))
     small = small * small
     square, rest = each_pick(first, small, 1 - small), each_pick(first, 1 - small, small)
     for a, b in reversed(steps):
         gap = a - b
         below = each_pick(gap > 0, back_below_each(a, b, square), back_below_rest_each(a, b, rest))
         square, rest = back_square_each(a, square, below), back_rest_each(a, b, gap, rest, below)
+        # The larger one is told best by the smaller one, and its rounding would double in each step.
+        square, rest = each_pick(rest < square, 1 - rest, square), each_pick(rest < square, rest, 1 - square)
     return square, rest
