@@ -1,0 +1,127 @@
+"""Shooting with SciPy's `solve_ivp` (DOP853, LSODA or Radau).
+
+Set up: from the tip, where θ′ = 0, so that the tip angle alone is unknown; the linearised equation runs along, and
+gives Newton's method its exact derivative; lengths are scaled by ℓ; rtol = atol = the tolerance, not below 1e-13;
+Radau has the analytic Jacobian (DOP853 needs none, LSODA builds its own banded one cheaply). When Newton's steps are
+below the tolerance, one more run carries y and z, with dense output only if a shape is wanted. A fold is Newton's
+method in two unknowns, the tip angle and η, with the equations for the second derivatives along.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from scipy.integrate import solve_ivp
+
+from derive.measure.reference import Rod
+from derive.measure.work.peers.common import Array, Solved, couple, stiffness
+
+LEAST = 1e-13
+MOST_ROUNDS = 14
+FURTHEST = 1.0  # a Newton step of more than this is cut
+
+
+def run(rod: Rod, start: Array, tolerance: float, method: str, right_side: Any, jacobian: Any, dense: bool) -> Any:
+    """From the tip to the clamp."""
+    options = {"jac": jacobian} if method == "Radau" else {}
+    limit = max(tolerance, LEAST)
+    found = solve_ivp(
+        right_side, (0.0, 1.0), start, method=method, rtol=limit, atol=limit, dense_output=dense, **options
+    )
+    return found if found.success else None
+
+
+def linearised(rod: Rod) -> tuple[Any, Any]:
+    """Right side and Jacobian for θ, dθ/dσ, h, dh/dσ with σ over ℓ."""
+    square = rod.length**2
+
+    def right_side(_: float, at: Array) -> list[float]:
+        return [at[1], square * couple(rod, at[0]), at[3], square * stiffness(rod, at[0]) * at[2]]
+
+    def jacobian(_: float, at: Array) -> Array:
+        rate = square * stiffness(rod, at[0])
+        bend = rod.beta * np.sin(at[0]) + 2 * rod.eta * np.sin(2 * (at[0] - rod.field_angle))
+        return np.array([[0, 1, 0, 0], [rate, 0, 0, 0], [0, 0, 0, 1], [-square * bend * at[2], 0, rate, 0]])
+
+    return right_side, jacobian
+
+
+def with_position(rod: Rod) -> tuple[Any, Any]:
+    """Right side and Jacobian for θ, dθ/dσ and the position from the tip."""
+    square, length = rod.length**2, rod.length
+
+    def right_side(_: float, at: Array) -> list[float]:
+        return [at[1], square * couple(rod, at[0]), length * np.cos(at[0]), length * np.sin(at[0])]
+
+    def jacobian(_: float, at: Array) -> Array:
+        rows = np.zeros((4, 4))
+        rows[0, 1], rows[1, 0] = 1.0, square * stiffness(rod, at[0])
+        rows[2, 0], rows[3, 0] = -length * np.sin(at[0]), length * np.cos(at[0])
+        return rows
+
+    return right_side, jacobian
+
+
+def solve(rod: Rod, tip_angle: float, tolerance: float, method: str, shape: bool = False) -> Solved | None:
+    """The equilibrium that Newton's method reaches from a tip angle, or None."""
+    equations, tip = linearised(rod), tip_angle
+    for _ in range(MOST_ROUNDS):
+        end = run(rod, np.array([tip, 0.0, 1.0, 0.0]), tolerance, method, *equations, dense=False)
+        if end is None or end.y[2, -1] == 0:
+            return None
+        step = float((end.y[0, -1] - rod.clamp_angle) / end.y[2, -1])
+        tip -= float(np.clip(step, -FURTHEST, FURTHEST))
+        if abs(step) < max(tolerance, LEAST):
+            break
+    else:
+        return None
+    path = run(rod, np.array([tip, 0.0, 0.0, 0.0]), tolerance, method, *with_position(rod), dense=shape)
+    if path is None:
+        return None
+    whole_y, whole_z = float(path.y[2, -1]), float(path.y[3, -1])
+
+    def at(s: Array) -> tuple[Array, Array, Array]:
+        theta, _, y, z = path.sol(1 - s / rod.length)
+        return theta, whole_y - y, whole_z - z
+
+    return Solved(tip, whole_y, whole_z, at)
+
+
+def fold(rod: Rod, eta: float, tip_angle: float, tolerance: float, method: str) -> tuple[float, float] | None:
+    """η and the tip angle at the fold near them: F = θ(0) − clamp angle and h(0) both 0, by Newton's method.
+
+    Along run h = ∂θ/∂φ, k = ∂θ/∂η and their derivatives by φ and η, which give the exact 2 × 2 matrix.
+    """
+    square, limit = rod.length**2, max(tolerance, LEAST)
+    phi, level = tip_angle, eta
+    for _ in range(MOST_ROUNDS):
+
+        def right_side(_: float, at: Array, level: float = level) -> list[float]:
+            angle = 2 * (at[0] - rod.field_angle)
+            turn, sine, cosine = rod.beta * np.cos(at[0]) + level * np.cos(angle), np.sin(angle), np.cos(angle)
+            bend = -(rod.beta * np.sin(at[0]) + 2 * level * sine)
+            h, k = at[2], at[4]
+            second = [
+                square * (rod.beta * np.sin(at[0]) + level / 2 * sine),
+                square * turn * h,
+                square * (turn * k + sine / 2),
+                square * (turn * at[6] + bend * h * h),
+                square * (turn * at[8] + bend * h * k + cosine * h),
+            ]
+            return [part for pair in zip(at[1::2], second, strict=True) for part in pair]
+
+        start = np.zeros(10)
+        start[0], start[2] = phi, 1.0
+        found = solve_ivp(right_side, (0.0, 1.0), start, method=method, rtol=limit, atol=limit)
+        if not found.success:
+            return None
+        miss, h, k, h_phi, h_eta = found.y[0::2, -1]
+        try:
+            step = np.linalg.solve([[h, k], [h_phi, h_eta]], [miss - rod.clamp_angle, h])
+        except np.linalg.LinAlgError:
+            return None
+        phi, level = phi - float(step[0]), level - float(step[1])
+        if abs(step[0]) < limit and abs(step[1]) < limit * eta:
+            return level, phi
+    return None
