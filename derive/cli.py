@@ -82,10 +82,9 @@ def parser() -> argparse.ArgumentParser:
         add.add_argument(f"--{name}", metavar="X", help="a number; multiples of pi as in 3*pi/4")
 
     add = commands.add_parser("measure", parents=[common], help="error against run time, for us and for others")
-    add.add_argument("--quick", action="store_true", help="small runs; errors, not times, are held against bounds")
-    add.add_argument("--only", action="append", default=[], metavar="T1", help="only this task; may be repeated")
-    add.add_argument("--out", type=Path, metavar="DIR", help="records, to go on from; tables, pictures (measurements)")
-    add.add_argument("--readme", type=Path, metavar="FILE", help="write the table between the marks of a README")
+    add.add_argument("--quick", action="store_true", help="smaller runs, kept only with --out; times say little")
+    add.add_argument("--only", action="append", default=[], metavar="PART", help="T1 … T6, V, growth; may be repeated")
+    add.add_argument("--out", type=Path, metavar="DIR", help="records to go on from, tables, pictures (measurements)")
 
     add = commands.add_parser("sweep", parents=[common], help="complete branches over one parameter", epilog=SWEEP)
     add.add_argument("scene", metavar="SCENE", help="shipped scene, or a scene file")

@@ -1,15 +1,15 @@
-"""`derive measure`: error against run time, and how the cost grows."""
+"""`derive measure`: error against run time, and how time and memory grow."""
 
 from __future__ import annotations
 
 import argparse
 import json
-import re
 import sys
-import tempfile
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import ExitStack, contextmanager
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from difflib import get_close_matches
+from functools import cache
+from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
@@ -18,80 +18,83 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from rich.table import Table
 
 from derive import show, stages
-from derive.cache import Cache, write_atomically
-from derive.commands import running, save
+from derive.cache import Cache
+from derive.commands import running, save, write_file
+from derive.diagrams.plotting import library
 from derive.measure.loading import load
-from derive.measure.work import tables
-from derive.measure.work.bounds import violations
+from derive.measure.work import precision, tables
+from derive.measure.work.families import Plan, Record, parts
 from derive.measure.work.fronts import front, wins
-from derive.measure.work.run import NAMES, Found, run
+from derive.measure.work.growth import exponents
+from derive.measure.work.run import Found, run
 from derive.measure.work.store import Store, StoreError
 from derive.numbers import MistakeError
 from derive.stages import Task
 
 FOLDER = Path("measurements")
+KINDS = ("svg", "png")
+# What draws the records of a family: pictures(records, kind) gives names and bytes of files.
+PICTURES = {"tasks": "derive.diagrams.front_picture", "growth": "derive.diagrams.growth_picture"}
 LITERAL = '[scene]\nname = "literal"\ncase = "parallel"\noutputs = ["equilibria", "literal"]'
-NEED_LITERAL = {"T1", "T3", "T5"}
-MARKERS = r"(<!-- measure -->\n).*?(<!-- end measure -->)"
 INTERRUPTED = 130
 
 
 def run_measure(options: argparse.Namespace) -> int:
-    """Measure what has no record yet; then tables and pictures. 1 if a bound is missed or a method breaks."""
+    """Measure what has no record yet; then tables and pictures. 1 if a limit is missed or a method breaks."""
     must_be_known(options.only)
-    readme = options.readme and read_readme(options.readme)
-    console = show.console()
-    with ExitStack() as stack:
-        keeps = bool(options.out) or not options.quick
-        folder = options.out or (FOLDER if keeps else Path(stack.enter_context(tempfile.TemporaryDirectory())))
-        try:
-            store = Store(folder, "quick" if options.quick else "full")
-            modules = literal_modules(options)
-            with progress() as advance:
-                cache = Cache(enabled=not options.no_cache)
-                found = run(store, cache, modules, options.only, quick=options.quick, progress=advance)
-        except StoreError as error:
-            raise MistakeError(str(error)) from error
-        except KeyboardInterrupt:
-            kept = f"what was measured is in {folder}; the same command goes on from there" if keeps else "nothing kept"
-            print(f"derive measure: interrupted; {kept}", file=sys.stderr)
-            return INTERRUPTED
-        save(options.json, found.to_json())
-        if keeps:
-            write(folder, found)
-    if readme:
-        write_readme(options.readme, readme, found)
+    folder = options.out or (None if options.quick else FOLDER)
+    try:
+        store = Store(folder, "quick" if options.quick else "full")
+        with progress() as advance:
+            plan = Plan(
+                Cache(enabled=not options.no_cache),
+                options.quick,
+                tuple(options.only),
+                literal_modules(options),
+                lambda what: advance(0, 0, what),
+            )
+            found = run(store, plan, advance)
+    except StoreError as error:
+        raise MistakeError(str(error)) from error
+    except KeyboardInterrupt:
+        kept = (
+            f"what was measured is in {folder}; the same command goes on from there" if folder else "nothing was kept"
+        )
+        print(f"derive measure: interrupted; {kept}", file=sys.stderr)
+        return INTERRUPTED
+    save(options.json, found.to_json())
     show_found(found)
-    wrong = [*violations(found.records, peers=options.quick), *(f"{k}: {why}" for k, why in found.failed.items())]
+    if folder:
+        write(folder, found)
+    wrong = found.wrong()
     for line in wrong:
         print(f"derive measure: {line}", file=sys.stderr)
-    if keeps:
-        console.print(f"tables and pictures: {folder}", highlight=False)
     return 1 if wrong else 0
 
 
 def must_be_known(only: Sequence[str]) -> None:
-    """MistakeError for a task that there is not."""
+    """MistakeError for a part that there is not."""
+    known = parts()
     for name in only:
-        if name not in NAMES:
-            close = get_close_matches(name.upper(), NAMES, n=1)
+        if name not in known:
+            close = get_close_matches(name.lower(), known, n=1) or get_close_matches(name.upper(), known, n=1)
             hint = f"did you mean '{close[0]}'? " if close else ""
-            raise MistakeError(f"--only {name}: no such task; {hint}there are {', '.join(NAMES)}")
+            raise MistakeError(f"--only {name}: no such part; {hint}there are {', '.join(known)}")
 
 
-def literal_modules(options: argparse.Namespace) -> Mapping[str, ModuleType]:
-    """The article's own formulas as modules: no shipped scene asks for them, so they are emitted now, and kept."""
-    if options.only and not NEED_LITERAL & set(options.only):
-        return {}
-    paths = stages.emission_paths()
-    backends = ("numpy",) if options.quick else ("numpy", "mpmath")
-    tasks = [Task("emit", f"literal_{name}", stages.emit, (LITERAL, "literal", name), paths) for name in backends]
-    with running(options) as runner:
-        emitted = runner.results(tasks, stages.derived)
-    for one in emitted:
-        if one["failure"]:
-            raise MistakeError(f"the article's formulas cannot be emitted: {one['failure']}; run `derive check`")
-    return {one["name"]: load(one["text"], one["name"]) for one in emitted}
+def literal_modules(options: argparse.Namespace) -> Callable[[str], ModuleType]:
+    """The article's own formulas as modules: no shipped scene asks for them, so they are emitted when wanted."""
+
+    @cache
+    def module(name: str) -> ModuleType:
+        with running(options) as runner:
+            task = Task("emit", name, stages.emit, (LITERAL, *name.split("_")), stages.emission_paths())
+            (emitted,) = runner.results([task], stages.derived)
+        if emitted["failure"]:
+            raise RuntimeError(f"cannot be emitted: {emitted['failure']}")
+        return load(emitted["text"], name)
+
+    return module
 
 
 @contextmanager
@@ -105,66 +108,59 @@ def progress() -> Iterator[Callable[[int, int, str], None]]:
 
 
 def write(folder: Path, found: Found) -> None:
-    """All records as one file, the tables, and a picture for each problem."""
-    from derive.diagrams.front_picture import draw
+    """All records as one file, the tables, and the pictures."""
+    text = json.dumps(found.to_json(), indent=1, ensure_ascii=False) + "\n"
+    write_file(folder / "measure.json", text.encode())
+    write_file(folder / "measure.md", found.document().encode())
+    show.console().print(f"{folder}: measure.json, measure.md, {draw(folder, found)}", highlight=False)
 
+
+def draw(folder: Path, found: Found) -> str:
+    """All pictures, and how many there are, or why there are none."""
+    count = 0
     try:
-        text = json.dumps(found.to_json(), indent=1, ensure_ascii=False)
-        write_atomically(folder / "measure.json", text + "\n")
-        write_atomically(folder / "tables.md", tables.document(found))
-    except OSError as error:
-        raise MistakeError(f"{folder}: cannot be written ({error.strerror}); choose another --out") from error
-    for problem in dict.fromkeys(record["problem"] for record in found.records):
-        rows = [record for record in found.records if record["problem"] == problem]
-        draw(rows, [folder / f"{problem}.svg", folder / f"{problem}.png"])
-
-
-def read_readme(path: Path) -> str:
-    """The text, which must have the markers."""
-    try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise MistakeError(f"--readme {path}: cannot be read; name a Markdown file") from error
-    if not re.search(MARKERS, text, flags=re.DOTALL):
-        raise MistakeError(f"--readme {path}: has no lines <!-- measure --> and <!-- end measure --> for the table")
-    return text
-
-
-def write_readme(path: Path, text: str, found: Found) -> None:
-    """Put the table between the markers."""
-    lines, missing = tables.readme_rows(found.records)
-    if missing:
-        raise MistakeError(
-            f"--readme: no record of {', '.join(missing)}; run without --only and --quick, all peers there"
-        )
-    inner = "\n".join(lines) + "\n"
-    changed = re.sub(MARKERS, lambda match: match[1] + inner + match[2], text, flags=re.DOTALL)
-    try:
-        write_atomically(path, changed)
-    except OSError as error:
-        raise MistakeError(f"--readme {path}: cannot be written ({error.strerror})") from error
+        library()
+    except MistakeError as error:
+        return f"no pictures ({error})"
+    for family, place in PICTURES.items():
+        if records := found.records.get(family):
+            for kind in KINDS:
+                for name, content in import_module(place).pictures(records, kind):
+                    write_file(folder / f"{name}.{kind}", content)
+                    count += 1
+    return f"{count} pictures"
 
 
 def show_found(found: Found) -> None:
-    """For each problem ours and what is on the front, and what others do better."""
+    """For each problem a table, and what others do better; growth, and who is missing."""
     console = show.console()
-    for problem in dict.fromkeys(record["problem"] for record in found.records):
-        rows = [record for record in found.records if record["problem"] == problem]
-        best = [record["key"] for record in front(rows)]
-        table = Table(title=f"{problem}: {rows[0]['title']}", title_justify="left", show_edge=False)
-        for heading in ("method", "setting", "worst error", "found", f"time a {rows[0]['unit']}", "over ours"):
-            table.add_column(heading, justify="left" if heading in ("method", "setting") else "right")
-        for record in rows:
-            mark = "[bold]" if record["key"] in best else ""
-            time = tables.seconds(record["seconds"]["median"])
-            cells = (record["setting"], tables.error(record["errors"]["worst"]), tables.found(record), time)
-            table.add_row(mark + record["method"], *cells, f"{record['ratio']['median']:.3g}")
-        console.print(table)
+    records = found.records.get("tasks", [])
+    for problem in dict.fromkeys(record["problem"] for record in records):
+        rows = [record for record in records if record["problem"] == problem]
+        console.print(problem_table(rows))
         for line in wins(rows):
             console.print(f"  {line}", highlight=False, soft_wrap=True)
-    for row in found.to_json()["exponents"]:
-        what = row["variable"]
-        line = f"{row['series']}: time as {what}^{row['time']:.2f}, memory as {what}^{row['memory']:.2f}"
-        console.print(line, highlight=False)
-    for reason in found.left_out:
-        console.print(f"left out: {reason}", highlight=False)
+    for row in exponents(found.records.get("growth", [])):
+        memory = "" if row.memory is None else f", memory as {row.variable}^{row.memory:.2f}"
+        console.print(f"{row.series}: time as {row.variable}^{row.time:.2f}{memory}", highlight=False)
+    for line in precision.left_out() if records else ():
+        console.print(line, highlight=False, soft_wrap=True)
+
+
+def problem_table(rows: Sequence[Record]) -> Table:
+    """All methods on one problem; bold is on the front."""
+    best = [record["key"] for record in front(rows)]
+    table = Table(title=f"{rows[0]['problem']}: {rows[0]['title']}", title_justify="left", show_edge=False)
+    for heading in ("method", "setting", "worst error", "found", f"time a {rows[0]['unit']}", "over ours"):
+        table.add_column(heading, justify="left" if heading in ("method", "setting") else "right")
+    for record in rows:
+        mark = "[bold]" if record["key"] in best else ""
+        time = tables.seconds(record["seconds"]["median"])
+        cells = (
+            escape(tables.shown_setting(record)),
+            tables.error(record["errors"]["worst"]),
+            tables.found(record),
+            time,
+        )
+        table.add_row(mark + record["method"], *cells, tables.ratio(record["ratio"]["median"]))
+    return table

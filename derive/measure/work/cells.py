@@ -1,79 +1,103 @@
-"""One thing that is measured: a method with a setting on a problem, its base, and its record."""
+"""What is measured: a method, with a setting, on a problem."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import asdict, dataclass
+from collections.abc import Callable, Iterator
+from dataclasses import asdict, dataclass, field
+from importlib.util import find_spec
 from typing import Any
 
-from derive.measure.work.problems import Problem
+from derive.measure.work.families import Plan, Record
+from derive.measure.work.judged import Errors
 from derive.measure.work.timing import Times, interleaved
 
-OURS, ARTICLE, PEER = "ours", "article", "peer"
+OURS, ARTICLE, VARIANT, PEER = "ours", "article", "variant", "peer"
+Call = Callable[[], Any]
+
+
+@dataclass(frozen=True)
+class Problem:
+    """What a method is given, and how its answers are judged. units: rods, points or folds; times are for each.
+
+    brief: too much for every setting of every method; each takes the settings of a quick run.
+    """
+
+    id: str
+    task: str
+    title: str
+    unit: str
+    units: int
+    inputs: Any
+    judge: Callable[[Any], Errors]
+    brief: bool = False
 
 
 @dataclass(frozen=True)
 class Cell:
     """prepare: makes the call that is timed. answers: from what it gives to what is judged, outside the time.
 
-    units: how many rods, points or folds the call does, where these are not the problem's. whole: it does all that the
-    task asks; what does a part is shown, and is on no front.
+    limit: the worst error that is no fault. share: of the problem's units that the call does. whole: it does all that
+    the task asks; what does a part is shown, and is on no front. all_found: it must find all there is.
     """
 
-    problem: Problem
-    method: str
     setting: str
-    group: str
-    prepare: Callable[[], Callable[[], Any]]
-    answers: Callable[[Any], Any] = lambda found: found
-    units: int = 0
-    base: bool = False
+    prepare: Callable[[], Call]
+    limit: float
+    answers: Callable[[Any], Any] = field(default=lambda found: found)
+    share: float = 1.0
     whole: bool = True
+    all_found: bool = False
+
+
+@dataclass(frozen=True)
+class Method:
+    """A way to do tasks: ``cells`` gives its settings on a problem, none if the task is not for it.
+
+    needs: packages by the names they are imported by, without which it is left out.
+    """
+
+    name: str
+    group: str
+    cells: Callable[[Problem, Plan], Iterator[Cell]]
+    needs: tuple[str, ...] = ()
 
     @property
-    def key(self) -> str:
-        """Its name among the records."""
-        return f"{self.problem.id}/{self.method}/{self.setting}"
-
-    @property
-    def size(self) -> int:
-        """Units that one call does."""
-        return self.units or self.problem.units
+    def absent(self) -> list[str]:
+        """Packages that it needs and that are not there; they are looked for, not imported."""
+        return [name for name in self.needs if find_spec(name) is None]
 
 
-def measure(cell: Cell, base: Cell, budget: float) -> dict[str, Any]:
-    """The record: errors of the first call, times of later ones, beside those of the base in turn."""
-    call = cell.prepare()
+def key_of(problem: Problem, method: Method, cell: Cell) -> str:
+    """The name of a record."""
+    return f"tasks/{problem.id}/{method.name}/{cell.setting}"
+
+
+def measure(problem: Problem, method: Method, cell: Cell, base: Cell, budget: float) -> Record:
+    """The record: errors of the first call, times of later ones beside those of the base in turn."""
+    call, beside = cell.prepare(), base.prepare()
     try:
-        errors = cell.problem.judge(cell.answers(call()))
-        other = base.prepare()
-        other()
-        own, beside = interleaved([call, other], budget)
+        answers, own, other = interleaved(call, beside, budget)
     finally:
         if close := getattr(call, "close", None):
             close()
-    each, base_each = [t / cell.size for t in own], [t / base.size for t in beside]
-    ratios = [a / b for a, b in zip(each, base_each, strict=True)]
-    return {
-        **names(cell),
-        "errors": errors.to_json(),
-        "seconds": asdict(Times.of(each)),
-        "base": {"method": base.method, "setting": base.setting, "seconds": asdict(Times.of(base_each))},
-        "ratio": asdict(Times.of(ratios)),
-    }
-
-
-def names(cell: Cell) -> dict[str, Any]:
-    """What says which cell a record is of."""
-    problem = cell.problem
+    errors = problem.judge(cell.answers(answers))
+    each = [seconds / (cell.share * problem.units) for seconds in own]
+    base_each = [seconds / (base.share * problem.units) for seconds in other]
     return {
         "problem": problem.id,
         "task": problem.task,
         "title": problem.title,
-        "method": cell.method,
-        "setting": cell.setting,
-        "group": cell.group,
         "unit": problem.unit,
-        "units": cell.size,
+        "units": problem.units,
+        "method": method.name,
+        "group": method.group,
+        "setting": cell.setting,
+        "share": cell.share,
         "whole": cell.whole,
+        "all_found": cell.all_found,
+        "limit": cell.limit,
+        "errors": asdict(errors),
+        "seconds": asdict(Times.of(each)),
+        "base_seconds": asdict(Times.of(base_each)),
+        "ratio": asdict(Times.of([a / b for a, b in zip(each, base_each, strict=True)])),
     }

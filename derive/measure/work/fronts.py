@@ -1,17 +1,15 @@
-"""Pareto fronts: which methods no other one beats in both error and time."""
+"""Pareto fronts: the ways that no other one beats in both error and time; and where others beat ours."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 from derive.measure.work.cells import OURS
-
-Record = dict[str, Any]
+from derive.measure.work.families import Record
 
 
 def comparable(record: Record) -> bool:
-    """Whether it does the whole task, and finds all there is."""
+    """Whether it does the whole task, and finds all there is and nothing else."""
     errors = record["errors"]
     complete = errors["worst"] is not None and errors["found"] == errors["of"] and not errors["spurious"]
     return bool(record["whole"] and complete)
@@ -32,7 +30,7 @@ def front(records: Sequence[Record]) -> list[Record]:
 
 
 def wins(records: Sequence[Record]) -> list[str]:
-    """What is faster, or more accurate, than our module: one line for each method of others, with its best setting."""
+    """What is faster, or more accurate, than our first way: a line for each method of others, with its best setting."""
     base = next((r for r in records if r["group"] == OURS and comparable(r)), None)
     if base is None:
         return []
@@ -45,11 +43,13 @@ def wins(records: Sequence[Record]) -> list[str]:
         better = [r for r in rows if point(r)[1] < error and r not in faster]
         if faster:
             best = min(faster, key=lambda r: point(r)[1])
-            lines.append(f"{named(best)} is {seconds / point(best)[0]:.1f}× faster, error {point(best)[1]:.0e}")
+            lines.append(
+                f"{named(best)} is {seconds / point(best)[0]:.1f}× faster, with an error of {point(best)[1]:.0e}"
+            )
         if better:
             best = min(better, key=lambda r: point(r)[0])
             errors = f"{point(best)[1]:.0e} instead of {error:.0e}"
-            lines.append(f"{named(best)} errs by {errors}, {point(best)[0] / seconds:.1f}× slower")
+            lines.append(f"{named(best)} errs by {errors}, and is {point(best)[0] / seconds:.1f}× slower")
     return lines
 
 

@@ -1,141 +1,111 @@
-"""How time and memory grow with the work: points, equilibria, digits, rods in a sweep; measured exponents."""
+"""The family of records of growing work: time and memory, and the exponents that they show."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict, dataclass
 from functools import partial
-from importlib import import_module
-from math import log, pi
+from math import log
 from typing import Any
 
 import numpy as np
 
-from derive.measure.rods import PAPER
-from derive.measure.work.timing import Times, interleaved, peak_memory
+from derive.measure.work import tables
+from derive.measure.work.families import Job, Plan, Record
+from derive.measure.work.series import SERIES, Series
+from derive.measure.work.timing import Times, alone, peak_memory
 
-GOES = "growth"  # what --only calls it
+PARTS = {"growth": "time and memory as work grows"}
+
+
+def jobs(plan: Plan) -> Iterator[Job]:
+    """A job for each amount of each series; a quick run takes the first two."""
+    for series in SERIES:
+        for amount in series.amounts[: 2 if plan.quick else None]:
+            key = f"growth/{series.name}/{amount:g}"
+            yield Job(key, partial(measure, series, amount, plan.budget))
+
+
+def measure(series: Series, amount: int, budget: float) -> Record:
+    """The record of one amount of work."""
+    call = series.prepare(amount)
+    found, seconds = alone(call, budget)
+    counted = series.counted(found) if series.counted else amount
+    memory = peak_memory(call) if series.memory else None
+    return {
+        "series": series.name,
+        "variable": series.variable,
+        "value": amount,
+        "amount": counted,
+        "seconds": asdict(Times.of(seconds)),
+        "bytes": memory,
+    }
 
 
 @dataclass(frozen=True)
-class Step:
-    """One amount of work of a series; prepare makes the call. The work is the value, but equilibria are counted."""
+class Grown:
+    """What a series shows: exponents by least squares on logarithms, over the upper half of its amounts."""
 
     series: str
     variable: str
-    value: float
-    prepare: Callable[[], Callable[[], Any]]
-
-    @property
-    def key(self) -> str:
-        """Its name among the records."""
-        return f"{GOES}/{self.series}/{self.value:g}"
+    amounts: tuple[float, float]
+    seconds: tuple[float, float]
+    time: float
+    bytes: tuple[int, int] | None
+    memory: float | None
 
 
-SERIES: tuple[tuple[str, str, tuple[int, ...], str], ...] = (
-    ("a shape", "points", (100, 1000, 10_000, 100_000, 1_000_000), "shape"),
-    ("all equilibria, field alone", "equilibria", (10, 30, 100, 300, 1000, 3000), "alone"),
-    ("all equilibria, mpmath", "digits", (15, 30, 60, 120, 240, 480), "twin"),
-    ("kernels on arrays", "rods", (8, 80, 800, 8000), "arrays"),
-    ("emitted sweep", "rods", (4, 16, 64, 256), "sweep"),
-)
-
-
-def steps(*, quick: bool) -> Iterator[Step]:
-    """All series; a quick run takes the first two amounts of each."""
-    makers: dict[str, Callable[[int], Callable[[], Any]]] = {
-        "shape": shape,
-        "alone": alone,
-        "twin": twin,
-        "arrays": arrays,
-        "sweep": sweep,
-    }
-    for series, variable, values, maker in SERIES:
-        for value in values[: 2 if quick else None]:
-            yield Step(series, variable, value, partial(makers[maker], value))
-
-
-def shape(number: int) -> Callable[[], Any]:
-    """θ, y, z of the article's rod, solved before."""
-    module = import_module("generated.parallel_numpy")
-    found = module.equilibria(PAPER.beta, PAPER.eta, PAPER.length, PAPER.clamp_angle)[0]
-    return partial(module.shape, found, np.linspace(0.0, PAPER.length, number))
-
-
-def alone(scaled: float) -> Callable[[], Any]:
-    """A rod in a field alone, with ℓ√η = scaled."""
-    module = import_module("generated.field_only_numpy")
-    return partial(module.equilibria, 1.0, float(scaled), 3 * pi / 4)
-
-
-def twin(digits: int) -> Callable[[], Any]:
-    """All equilibria of the article's rod."""
-    module = import_module("generated.parallel_mpmath")
-    return partial(module.equilibria, PAPER.beta, PAPER.eta, PAPER.length, PAPER.clamp_angle, dps=digits)
-
-
-def loads(number: int) -> tuple[Any, Any]:
-    """Rods of the article's second example, the field growing."""
-    return np.full(number, PAPER.beta), np.linspace(1e-6, 1e-3, number)
-
-
-def arrays(number: int) -> Callable[[], Any]:
-    """All equilibria of many rods at once."""
-    from derive.emit.kernels.blocks import sweep_arrays
-
-    one = np.ones(number)
-    return partial(sweep_arrays, *loads(number), PAPER.length * one, PAPER.clamp_angle * one, 0 * one, None)
-
-
-def sweep(number: int) -> Callable[[], Any]:
-    """The same by the emitted module, rod by rod."""
-    return partial(import_module("generated.bifurcation_numpy").sweep, *loads(number))
-
-
-def measure(step: Step, budget: float) -> dict[str, Any]:
-    """The record of one amount of work."""
-    call = step.prepare()
-    found = call()
-    amount = len(found) if step.variable == "equilibria" else step.value
-    (times,) = interleaved([call], budget)
-    return {
-        "series": step.series,
-        "variable": step.variable,
-        "value": step.value,
-        "amount": amount,
-        "seconds": asdict(Times.of(times)),
-        "bytes": peak_memory(call),
-    }
-
-
-def exponents(records: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
-    """For each series the exponents of time and memory, by least squares on logarithms over the upper half."""
+def exponents(records: Sequence[Record]) -> list[Grown]:
+    """For each series with at least two amounts."""
     found = []
-    for series in dict.fromkeys(record["series"] for record in records):
-        rows = sorted((r for r in records if r["series"] == series), key=lambda r: float(r["amount"]))
-        upper = rows[-max(2, (len(rows) + 1) // 2) :]
-        if len(upper) < 2:
+    for name in dict.fromkeys(record["series"] for record in records):
+        rows = sorted((r for r in records if r["series"] == name), key=lambda r: float(r["amount"]))
+        if len(rows) < 2:
             continue
-        amounts = [float(r["amount"]) for r in upper]
-        time = slope(amounts, [r["seconds"]["median"] for r in upper])
-        memory = slope(amounts, [max(1, r["bytes"]) for r in upper])
-        first, last = rows[0], rows[-1]
+        first, last, upper = rows[0], rows[-1], rows[-max(2, (len(rows) + 1) // 2) :]
+        ends: Callable[[Callable[[Record], Any]], Any] = lambda of, a=first, b=last: (of(a), of(b))  # noqa: E731
+        kept = all(r["bytes"] is not None for r in rows)
         found.append(
-            {
-                "series": series,
-                "variable": first["variable"],
-                "from": first["amount"],
-                "to": last["amount"],
-                "fitted_from": upper[0]["amount"],
-                "seconds": [first["seconds"]["median"], last["seconds"]["median"]],
-                "bytes": [first["bytes"], last["bytes"]],
-                "time": time,
-                "memory": memory,
-            }
+            Grown(
+                name,
+                first["variable"],
+                ends(lambda r: r["amount"]),
+                ends(lambda r: r["seconds"]["median"]),
+                slope(upper, lambda r: r["seconds"]["median"]),
+                ends(lambda r: r["bytes"]) if kept else None,
+                slope(upper, lambda r: max(1, r["bytes"])) if kept else None,
+            )
         )
     return found
 
 
-def slope(amounts: Sequence[float], values: Sequence[float]) -> float:
-    """Of log values over log amounts."""
-    return float(np.polyfit([log(a) for a in amounts], [log(v) for v in values], 1)[0])
+def slope(records: Sequence[Record], value: Callable[[Record], float]) -> float:
+    """Of logarithms over those of the amounts."""
+    amounts = [log(float(record["amount"])) for record in records]
+    return float(np.polyfit(amounts, [log(value(record)) for record in records], 1)[0])
+
+
+def document(records: Sequence[Record]) -> list[str]:
+    """The measured exponents."""
+    lines = ["## Time and memory as work grows", ""]
+    lines += ["| what | work | from … to | time | grows as | memory | grows as |", "|---" * 7 + "|"]
+    for row in exponents(records):
+        sizes = "–" if row.bytes is None else " … ".join(f"{number / 1e6:.2g} MB" for number in row.bytes)
+        cells = (
+            row.series,
+            row.variable,
+            f"{row.amounts[0]:g} … {row.amounts[1]:g}",
+            " … ".join(tables.seconds(value) for value in row.seconds),
+            f"{row.variable}^{row.time:.2f}",
+            sizes,
+            "–" if row.memory is None else f"{row.variable}^{row.memory:.2f}",
+        )
+        lines.append("| " + " | ".join(cells) + " |")
+    return [*lines, "", "Exponents are of least squares on logarithms, over the upper half of each series."]
+
+
+def wrong(records: Sequence[Record]) -> Iterator[str]:
+    """Times have no bounds; a series that does no work is broken."""
+    for record in records:
+        if not record["amount"] > 0:
+            yield f"{record['key']}: nothing was done"

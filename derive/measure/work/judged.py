@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from statistics import median
 from typing import Any
 
 from mpmath import mp, mpf
+
+from derive.measure.reference import Rod
 
 NEAR = 1e-2  # an answer whose tip angle is farther than this from a reference is another equilibrium, or none
 EXTRA = 5
@@ -23,10 +25,6 @@ class Errors:
     of: int
     spurious: int = 0
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain data."""
-        return asdict(self)
-
 
 def collected(errors: Sequence[Any], of: int, spurious: int = 0) -> Errors:
     """Over single errors; those that are no number count as not found."""
@@ -36,20 +34,22 @@ def collected(errors: Sequence[Any], of: int, spurious: int = 0) -> Errors:
     return Errors(max(good), median(good), len(good), of, spurious)
 
 
-def of_equilibria(answers: Sequence[Sequence[Any]], wanted: Sequence[dict[str, Any]], digits: int) -> Errors:
+def of_equilibria(
+    answers: Sequence[Sequence[Any]], rods: Sequence[Rod], wanted: Sequence[Sequence[Any]], digits: int
+) -> Errors:
     """Answers are, for each rod, (tip angle, y, z), None for what a method does not give; y and z over the length."""
     errors, spurious, total = [], 0, 0
     with mp.workdps(digits + EXTRA):
-        for found, rod in zip(answers, wanted, strict=True):
-            total += len(rod["equilibria"])
-            sizes, rest = (1, mpf(rod["length"]), mpf(rod["length"])), list(found)
-            for known in rod["equilibria"]:
+        for found, rod, rows in zip(answers, rods, wanted, strict=True):
+            total += len(rows)
+            sizes, rest = (1, mpf(rod.length), mpf(rod.length)), list(found)
+            for known in rows:
                 nearest = min(rest, key=lambda one: abs(one[0] - known[0]), default=None)
                 if nearest is None or not abs(nearest[0] - known[0]) < NEAR:
                     continue
                 rest.remove(nearest)
-                rows = zip(nearest, known, sizes, strict=True)
-                errors.append(max(abs(mpf(a) - b) / size for a, b, size in rows if a is not None))
+                triples = zip(nearest, known, sizes, strict=True)
+                errors.append(max(abs(mpf(a) - b) / size for a, b, size in triples if a is not None))
             spurious += len(rest)
         return collected(errors, total, spurious)
 

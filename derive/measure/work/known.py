@@ -7,7 +7,7 @@ series, a Jacobi function or Carlson's integrals with what is measured.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, replace
+from dataclasses import asdict
 from math import ceil
 from pathlib import Path
 from typing import Any
@@ -25,9 +25,9 @@ SOURCES = (HERE / "known.py", *(HERE.parent / f"{name}.py" for name in ("taylor"
 TERMS = 2.2  # of the Laurent series, for a digit, at an eighth of the least period
 
 
-def kept(cache: Cache, name: str, inputs: Any, compute: Callable[[], Any]) -> Any:
-    """A result of texts and lists of them from the cache, or computed now; numbers come back at their digits."""
-    key = digest(f"measured {name}", SOURCES, inputs)
+def kept(cache: Cache, name: str, inputs: Any, compute: Callable[[], Any], sources: Sequence[Path] = SOURCES) -> Any:
+    """A result of texts and lists of them from the cache, or computed now from these sources."""
+    key = digest(f"measured {name}", sources, inputs)
     found = cache.get(key)
     if found is None:
         found = compute()
@@ -96,6 +96,15 @@ def fold(cache: Cache, rod: Rod, low: float, high: float, digits: int) -> list[A
     return list(numbers(kept(cache, "fold", [asdict(rod), low, high, digits], compute), digits))
 
 
+def function_values(cache: Cache, kind: str, u: Sequence[float], g2: float, g3: float, digits: int) -> list[Any]:
+    """℘ ("p"), ζ ("zeta") or σ ("sigma") at real u that are no periods."""
+
+    def compute() -> list[str]:
+        return [text(x, digits) for x in weierstrass(kind, u, g2, g3, digits)]
+
+    return list(numbers(kept(cache, "weierstrass", [kind, list(u), g2, g3, digits], compute), digits))
+
+
 def weierstrass(kind: str, u: Sequence[float], g2: float, g3: float, digits: int) -> list[Any]:
     """℘ ("p"), ζ ("zeta") or σ ("sigma") at real u that are no periods."""
     with mp.workdps(2 * digits + 30):
@@ -132,8 +141,3 @@ def _slope(p: Any, slope: Any, second: Any) -> Any:
     half = second / (2 * slope)
     third = 12 * p * slope
     return half * (third / (2 * slope) - second * second / (2 * slope * slope)) - slope
-
-
-def moved(rod: Rod, **change: float) -> Rod:
-    """The rod with some inputs changed."""
-    return replace(rod, **change)

@@ -1,84 +1,76 @@
-"""A measuring run: every cell that has no record yet is measured and kept."""
+"""A measuring run: every job that has no record yet is done, and its record kept."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
-from derive.cache import Cache
-from derive.measure.work import cells, growth
-from derive.measure.work.cells import Cell
-from derive.measure.work.ours import Modules, own_cells
-from derive.measure.work.problems import TASKS, problems
-from derive.measure.work.solvers import absent, peer_cells
+from derive.measure.work.families import Plan, Record, families
 from derive.measure.work.store import Store
 
-BUDGET, QUICK_BUDGET = 2.5, 0.05  # seconds for the times of one cell, where they allow it
 Progress = Callable[[int, int, str], None]
-NAMES = (*TASKS, growth.GOES)
 
 
 @dataclass
 class Found:
-    """All records of a run. failed: cells that broke, with the reason; left_out: peers that are not installed."""
+    """All records of a run by family. failed: jobs that broke, with the reason."""
 
     about: dict[str, Any]
-    records: list[dict[str, Any]] = field(default_factory=list)
-    growth: list[dict[str, Any]] = field(default_factory=list)
+    records: dict[str, list[Record]] = field(default_factory=dict)
     failed: dict[str, str] = field(default_factory=dict)
-    left_out: list[str] = field(default_factory=list)
+
+    def wrong(self) -> list[str]:
+        """A line for all that is out of bounds or broke."""
+        all_families = families()
+        lines = [line for name, records in self.records.items() for line in all_families[name].wrong(records)]
+        return [*lines, *(f"{key}: {reason}" for key, reason in self.failed.items())]
+
+    def document(self) -> str:
+        """All tables as Markdown."""
+        about, all_families = self.about, families()
+        versions = ", ".join(f"{name} {number}" for name, number in about["versions"].items())
+        machine = about["machine"]
+        lines = [
+            "# Error against run time",
+            "",
+            f"{machine['processor']}, {machine['cores']} cores, {machine['system']}; {versions}; commit "
+            f"{about['commit']}; {'a quick run: times say little' if about['mode'] == 'quick' else 'a full run'}.",
+        ]
+        for name, records in self.records.items():
+            if records:
+                lines += ["", *all_families[name].document(records)]
+        failed = [f"- {key} broke: {reason}" for key, reason in self.failed.items()]
+        return "\n".join([*lines, *(["", *failed] if failed else []), ""])
 
     def to_json(self) -> dict[str, Any]:
         """Plain data."""
-        exponents = growth.exponents(self.growth)
-        return {**vars(self), "exponents": exponents}
+        return dict(vars(self))
+
+    @classmethod
+    def from_json(cls, data: dict[str, Any]) -> Found:
+        """The inverse of `to_json`; TypeError or KeyError for other data."""
+        return cls(data["about"], data["records"], data["failed"])
 
 
-def all_cells(cache: Cache, modules: Modules, only: Sequence[str], *, quick: bool) -> list[tuple[Cell, Cell]]:
-    """Every cell with its base."""
-    found = []
-    for problem in problems(cache, [name for name in only if name in TASKS], quick=quick):
-        here = [*own_cells(problem, modules, quick=quick)]
-        if problem.task != "T5":
-            here += peer_cells(problem, quick=quick)
-        base = next(cell for cell in here if cell.base)
-        found += [(cell, base) for cell in here]
-    return found
-
-
-def run(store: Store, cache: Cache, modules: Modules, only: Sequence[str], *, quick: bool, progress: Progress) -> Found:
-    """Measure what has no record; what breaks is named, and measured again by the next run."""
-    found = Found(store.about, left_out=[reason for reason in (absent(),) if reason])
-    budget = QUICK_BUDGET if quick else BUDGET
-    jobs: list[tuple[str, str, Callable[[], dict[str, Any]]]] = []
-    progress(0, 0, "references")
-    if set(only) != {growth.GOES}:
-        jobs += cell_jobs(all_cells(cache, modules, only, quick=quick), budget)
-    if not only or growth.GOES in only:
-        jobs += growth_jobs(budget, quick=quick)
-    for number, (key, kind, work) in enumerate(jobs):
-        progress(number, len(jobs), key)
-        record = store.get(key)
+def run(store: Store, plan: Plan, progress: Progress) -> Found:
+    """Do what has no record; what breaks is named, and tried again by the next run."""
+    found = Found(store.about)
+    todo = []
+    for name, family in families().items():
+        if any(plan.wants(part) for part in family.PARTS):
+            found.records[name] = []
+            todo += [(name, job) for job in family.jobs(plan)]
+    for number, (name, job) in enumerate(todo):
+        progress(number, len(todo), job.key)
+        record = store.get(job.key)
         if record is None:
             try:
-                record = {"key": key, **work()}
+                record = {"key": job.key, **job.work()}
             except Exception as error:  # whatever a method raises is a finding about it
-                found.failed[key] = f"{type(error).__name__}: {error}"
+                found.failed[job.key] = f"{type(error).__name__}: {error}"
                 continue
-            store.put(key, record)
-        (found.records if kind == "cell" else found.growth).append(record)
-    progress(len(jobs), len(jobs), "done")
+            store.put(record)
+        found.records[name].append(record)
+    progress(len(todo), len(todo), "done")
     return found
-
-
-def cell_jobs(pairs: Sequence[tuple[Cell, Cell]], budget: float) -> Iterator[tuple[str, str, Any]]:
-    """Of errors and times."""
-    for cell, base in pairs:
-        yield cell.key, "cell", lambda cell=cell, base=base: cells.measure(cell, base, budget)
-
-
-def growth_jobs(budget: float, *, quick: bool) -> Iterator[tuple[str, str, Any]]:
-    """Of growing work."""
-    for step in growth.steps(quick=quick):
-        yield step.key, "growth", lambda step=step: growth.measure(step, budget)

@@ -1,11 +1,11 @@
-"""Records on disk, one file each, so that a run that was broken off goes on where it was; and what they hold for.
+"""Records on disk, a line for each as it is made, so that a run that was broken off goes on; and what they hold for.
 
-A folder belongs to one state of the project and one machine: errors and times of different ones are not mixed.
+A folder belongs to one state of the project and one machine: errors and times of different ones are not mixed. The
+first line of its file says which; a last line that was not finished is cut off.
 """
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
 import platform
@@ -14,11 +14,12 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
-from derive.cache import digest, write_atomically
+from derive.cache import digest
 
 PACKAGE = Path(__file__).resolve().parents[2]
 PACKAGES = ("numpy", "mpmath", "scipy", "python-flint", "pyweierstrass", "elliptic-functions")
-SOURCES = (PACKAGE / "emit", PACKAGE / "measure", PACKAGE.parent / "generated")
+SOURCES = (*(PACKAGE / name for name in ("theory", "check", "emit", "measure")), PACKAGE.parent / "generated")
+FILE = "records.jsonl"
 
 
 class StoreError(Exception):
@@ -27,14 +28,13 @@ class StoreError(Exception):
 
 def environment() -> dict[str, Any]:
     """The machine, the versions and the state of the project."""
-    packages = {}
+    versions = {"python": platform.python_version()}
     for name in PACKAGES:
         try:
-            packages[name] = version(name)
+            versions[name] = version(name)
         except PackageNotFoundError:
-            packages[name] = "absent"
+            versions[name] = "absent"
     machine = {"processor": processor(), "cores": os.cpu_count(), "system": f"{platform.system()} {platform.machine()}"}
-    versions = {"python": platform.python_version(), **packages}
     return {"machine": machine, "versions": versions, "commit": commit(), "sources": digest("measured", SOURCES)[:16]}
 
 
@@ -59,52 +59,62 @@ def commit() -> str:
 
 
 class Store:
-    """The records of a folder."""
+    """The records of a folder; without a folder they are kept in memory alone."""
 
-    def __init__(self, folder: Path, mode: str) -> None:
-        self.folder, self.about = folder, {"mode": mode, **environment()}
-        head = folder / "run.json"
+    def __init__(self, folder: Path | None, mode: str) -> None:
+        self.about = {"mode": mode, **environment()}
+        self.records: dict[str, dict[str, Any]] = {}
+        self.path = folder / FILE if folder else None
+        if self.path:
+            try:
+                self._open(self.path)
+            except OSError as error:
+                raise self._unusable(error) from error
+
+    def _open(self, path: Path) -> None:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        lines = path.read_text(encoding="utf-8").splitlines(keepends=True) if path.exists() else []
+        whole = [line for line in lines if line.endswith("\n")]
+        if not whole:
+            path.write_text(_line(self.about), encoding="utf-8")
+            return
         try:
-            if head.exists():
-                self._must_be_same(json.loads(head.read_text(encoding="utf-8")))
-            else:
-                write_atomically(head, json.dumps(self.about, indent=1, ensure_ascii=False) + "\n")
-        except OSError as error:
-            raise StoreError(
-                f"{folder}: cannot be used ({error.strerror}); choose another folder with --out"
-            ) from error
-        except (ValueError, AttributeError) as error:
-            raise StoreError(f"{head}: is no head of a run; choose another folder with --out") from error
+            head, *rest = (json.loads(line) for line in whole)
+            self.records = {record["key"]: record for record in rest}
+            self._must_be_same(head)
+        except (ValueError, KeyError, TypeError, AttributeError) as error:
+            raise StoreError(f"{path}: holds no records of a run; choose another folder with --out") from error
+        if len(whole) < len(lines):
+            os.truncate(path, sum(len(line.encode()) for line in whole))
 
     def _must_be_same(self, there: dict[str, Any]) -> None:
         for name in ("mode", "sources", "machine", "versions"):
-            if there.get(name) != self.about[name]:
-                was, now = there.get(name), self.about[name]
+            was, now = there.get(name), self.about[name]
+            if was != now:
                 shown = f" ({was} there, {now} now)" if isinstance(was, str) else ""
                 raise StoreError(
-                    f"{self.folder}: holds a run with another {name}{shown}; choose another folder with --out, "
-                    "or remove it"
+                    f"{self.path}: belongs to a run with another {name}{shown}; choose another folder with --out, "
+                    "or remove this one"
                 )
 
+    def _unusable(self, error: OSError) -> StoreError:
+        return StoreError(f"{self.path}: cannot be used ({error.strerror}); choose another folder with --out")
+
     def get(self, key: str) -> dict[str, Any] | None:
-        """A record that is there and can be read."""
-        try:
-            record = json.loads(self._path(key).read_text(encoding="utf-8"))
-        except (OSError, ValueError):
-            return None
-        return record if isinstance(record, dict) and record.get("key") == key else None
+        """A record that is there."""
+        return self.records.get(key)
 
-    def put(self, key: str, record: dict[str, Any]) -> None:
-        """Keep a record, whole or not at all."""
-        try:
-            text = json.dumps({"key": key, **record}, indent=1, ensure_ascii=False)
-            write_atomically(self._path(key), text + "\n")
-        except OSError as error:
-            raise StoreError(
-                f"{error.filename or self.folder}: cannot be written ({error.strerror}); "
-                "choose another folder with --out"
-            ) from error
+    def put(self, record: dict[str, Any]) -> None:
+        """Keep a record."""
+        line = _line(record)
+        self.records[record["key"]] = record
+        if self.path:
+            try:
+                with self.path.open("a", encoding="utf-8") as stream:
+                    stream.write(line)
+            except OSError as error:
+                raise self._unusable(error) from error
 
-    def _path(self, key: str) -> Path:
-        plain = "".join(c if c.isascii() and (c.isalnum() or c in ".-") else "_" for c in key)
-        return self.folder / "cells" / f"{plain}-{hashlib.sha256(key.encode()).hexdigest()[:8]}.json"
+
+def _line(data: dict[str, Any]) -> str:
+    return json.dumps(data, ensure_ascii=False) + "\n"

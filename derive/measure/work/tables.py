@@ -1,40 +1,44 @@
-"""The results as Markdown: a table for each problem, measured exponents, and the README's rows."""
+"""Records of error against run time as Markdown, and the rows of the README."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-from derive.measure.work.fronts import Record, front, wins
-from derive.measure.work.run import Found
+from derive.measure.work.families import Record
+from derive.measure.work.fronts import comparable, front, wins
 
+PREFACE = (
+    "Errors are against references of 40 digits or more, in natural sizes: angles in radians, places over the length, "
+    "values and η relative to themselves. Times are medians of warm runs, with the least and the most; one alone where a "
+    "run is long. “Over ours” is the ratio to the first row, run in turn with it; • is on the front of those that "
+    "do the whole task and find all."
+)
 UNITS = ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs"), (1e-9, "ns"))
 HEAD = "| method | setting | worst error | median | found | time a {unit} | spread | over ours | front |"
-# The README's rows, as problem, method, setting; "*" is the most accurate setting.
+# The README's rows: problem, method and how its setting begins; "*" is the most accurate setting.
 README_ROWS = (
-    ("T1", "emitted, NumPy", "stable ones"),
+    ("T1", "emitted, NumPy", "parallel, stable"),
     ("T1", "solve_bvp", "tol 1e-8"),
     ("T1", "solve_bvp", "tol 1e-10"),
     ("T1", "Chebyshev", "*"),
     ("T1", "SciPy R_F, R_J, ellipj", "*"),
-    ("T1", "article's formulas", "*"),
-    ("T2", "emitted, NumPy", "all"),
-    ("T2", "solve_bvp", "tol 1e-8"),
-    ("T2", "Chebyshev", "*"),
+    ("T2-parallel", "emitted, NumPy", "parallel"),
+    ("T2-parallel", "solve_bvp", "tol 1e-8"),
     ("T3-1e6", "emitted, NumPy", "θ, y, z"),
-    ("T3-1e6", "Chebyshev", "*"),
-    ("T3-1e6", "SciPy ellipj alone", "*"),
-    ("T4", "kernels on arrays", "all 8,000"),
+    ("T3-1e6", "article, NumPy", "*"),
+    ("T3-1e6", "SciPy ellipj", "*"),
+    ("T4", "emitted, NumPy", "bifurcation"),
     ("T4", "solve_bvp", "tol 1e-8"),
     ("T6", "emitted, NumPy", "all in a range"),
     ("T6", "solve_bvp", "tol 1e-8"),
-    ("T6", "Chebyshev", "*"),
 )
 
 
 def seconds(value: float) -> str:
     """A time with its unit, to three digits."""
     size, name = next(((size, name) for size, name in UNITS if value >= size), UNITS[-1])
-    return f"{value / size:.3g} {name}"
+    number = value / size
+    return f"{number:,.0f} {name}" if number >= 999.5 else f"{number:.3g} {name}"
 
 
 def error(value: float | None) -> str:
@@ -42,89 +46,65 @@ def error(value: float | None) -> str:
     return "–" if value is None else f"{value:.0e}"
 
 
+def ratio(value: float) -> str:
+    """A ratio to two digits, or whole."""
+    return f"{value:,.0f}" if value >= 99.5 else f"{value:.2g}"
+
+
 def found(record: Record) -> str:
     """How much of what there is, and what is none."""
     errors = record["errors"]
     extra = f", {errors['spurious']} more" if errors["spurious"] else ""
-    return "–" if errors["worst"] is None else f"{errors['found']} of {errors['of']}{extra}"
+    return "–" if errors["worst"] is None and not record["whole"] else f"{errors['found']} of {errors['of']}{extra}"
 
 
-def problem_table(records: Sequence[Record]) -> list[str]:
-    """All methods on one problem."""
+def shown_setting(record: Record) -> str:
+    """With what is told of it besides."""
+    part = "" if record["whole"] else " (in part)"
+    scaled = "" if record["share"] == 1 or record["unit"] == "point" else f" ({100 * record['share']:.2g} %, scaled)"
+    return f"{record['setting']}{part}{scaled}"
+
+
+def section(records: Sequence[Record]) -> list[str]:
+    """A problem: all methods, and what others do better."""
+    title = f"## {records[0]['problem']}: {records[0]['title']}"
     best = {record["key"] for record in front(records)}
-    lines = [HEAD.format(unit=records[0]["unit"]), "|---" * 9 + "|"]
+    lines = [title, "", HEAD.format(unit=records[0]["unit"]), "|---" * 9 + "|"]
     for record in records:
         time, errors = record["seconds"], record["errors"]
         cells = (
             record["method"],
-            record["setting"] if record["whole"] else f"{record['setting']} (in part)",
+            shown_setting(record),
             error(errors["worst"]),
             error(errors["median"]),
             found(record),
             seconds(time["median"]),
-            f"{seconds(time['low'])} … {seconds(time['high'])}",
-            f"{record['ratio']['median']:.3g}",
+            f"{seconds(time['low'])} … {seconds(time['high'])}" if time["runs"] > 1 else "one run",
+            ratio(record["ratio"]["median"]),
             "•" if record["key"] in best else "",
         )
         lines.append("| " + " | ".join(cells) + " |")
-    return lines
-
-
-def document(result: Found) -> str:
-    """All tables, with what peers do better."""
-    about = result.about
-    versions = ", ".join(f"{name} {number}" for name, number in about["versions"].items() if number != "absent")
-    machine = about["machine"]
-    lines = [
-        "# Error against run time",
+    return [
+        *lines,
         "",
-        f"{machine['processor']}, {machine['cores']} cores; {versions}; commit {about['commit']}.",
-        "Errors are against references of 40 digits or more, in natural sizes; times are medians of warm runs, with "
-        "the least and the most. “Over ours” is the ratio to the first row, run in turn with it. • is on the front.",
+        *([f"- {line}" for line in wins(records)] or ["No method of others is faster or more accurate."]),
     ]
-    for problem in dict.fromkeys(record["problem"] for record in result.records):
-        rows = [record for record in result.records if record["problem"] == problem]
-        lines += ["", f"## {problem}: {rows[0]['title']}", "", *problem_table(rows), ""]
-        lines += [f"- {line}" for line in wins(rows)] or ["No other method is faster, or more accurate, than ours."]
-    if result.growth:
-        lines += ["", "## Cost as work grows", "", *growth_table(result)]
-    return "\n".join([*lines, *(f"\n{key} failed: {reason}" for key, reason in result.failed.items()), ""])
-
-
-def growth_table(result: Found) -> list[str]:
-    """The measured exponents."""
-    lines = ["| what | work | from … to | time | time grows as | memory | memory grows as |", "|---" * 7 + "|"]
-    for row in result.to_json()["exponents"]:
-        what, memory = row["variable"], [f"{number / 1e6:.3g} MB" for number in row["bytes"]]
-        cells = (
-            row["series"],
-            what,
-            f"{row['from']:g} … {row['to']:g}",
-            " … ".join(seconds(value) for value in row["seconds"]),
-            f"{what}^{row['time']:.2f}",
-            " … ".join(memory),
-            f"{what}^{row['memory']:.2f}",
-        )
-        lines.append("| " + " | ".join(cells) + " |")
-    return [*lines, "", "Exponents by least squares on logarithms over the upper half of each series."]
 
 
 def readme_rows(records: Sequence[Record]) -> tuple[list[str], list[str]]:
-    """The README's table, and what has no record for it."""
+    """The README's table, and which of its rows have no record."""
     lines = ["| task | method | worst error | found | time | over ours |", "|---" * 6 + "|"]
-    missing, task = [], ""
+    missing, before = [], ""
     for problem, method, setting in README_ROWS:
-        rows = [
-            r for r in records if (r["problem"], r["method"]) == (problem, method) and setting in ("*", r["setting"])
-        ]
+        rows = [r for r in records if (r["problem"], r["method"]) == (problem, method)]
+        rows = [r for r in rows if setting == "*" or r["setting"].startswith(setting)]
         if not rows:
-            missing.append(f"{problem}/{method}")
+            missing.append(f"{problem}/{method}/{setting}")
             continue
-        row = min(rows, key=lambda r: (r["errors"]["found"] < r["errors"]["of"], r["errors"]["worst"] or 1.0))
-        name = row["method"] if row["setting"] in ("–", "all", "stable ones") else f"{row['method']}, {row['setting']}"
+        row = min(rows, key=lambda r: (not comparable(r), r["errors"]["worst"] or 1.0))
+        title = "" if row["title"] == before else row["title"]
+        before = row["title"]
         time = f"{seconds(row['seconds']['median'])} a {row['unit']}"
-        title = row["title"] if row["title"] != task else ""
-        task = row["title"]
-        cells = (title, name, error(row["errors"]["worst"]), found(row), time, f"{row['ratio']['median']:.3g}")
-        lines.append("| " + " | ".join(cells) + " |")
+        cells = (title, f"{method}, {row['setting']}", error(row["errors"]["worst"]), found(row), time)
+        lines.append("| " + " | ".join((*cells, ratio(row["ratio"]["median"]))) + " |")
     return lines, missing

@@ -1,24 +1,24 @@
-"""Times of calls, interleaved with those of a base method, so that both meet the same machine."""
+"""Times of a call, in turn with those of the base method, so that both meet the same machine."""
 
 from __future__ import annotations
 
 import gc
 import time
 import tracemalloc
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from statistics import median
 from typing import Any
 
 SHORTEST = 2e-3  # seconds: what is faster is run several times in a row
-FEWEST, MOST = 3, 15
-LONG = 3.0  # budgets
+FEWEST, MOST = 3, 15  # runs of a call
+LONG = 1.5  # budgets: what takes longer is run once, and that run is timed
 
 
 @dataclass(frozen=True)
 class Times:
-    """Median and spread over runs, in seconds."""
+    """Median and spread over runs."""
 
     median: float
     low: float
@@ -26,13 +26,13 @@ class Times:
     runs: int
 
     @classmethod
-    def of(cls, seconds: Sequence[float]) -> Times:
-        """From single times."""
-        return cls(median(seconds), min(seconds), max(seconds), len(seconds))
+    def of(cls, numbers: Sequence[float]) -> Times:
+        """From single runs."""
+        return cls(median(numbers), min(numbers), max(numbers), len(numbers))
 
 
 @contextmanager
-def quiet() -> Any:
+def quiet() -> Iterator[None]:
     """No garbage is collected while the clock runs."""
     on = gc.isenabled()
     gc.collect()
@@ -44,7 +44,7 @@ def quiet() -> Any:
             gc.enable()
 
 
-def once(call: Callable[[], Any], repeats: int) -> float:
+def once(call: Callable[[], Any], repeats: int = 1) -> float:
     """Seconds for one call, over some in a row."""
     start = time.perf_counter()
     for _ in range(repeats):
@@ -57,20 +57,48 @@ def repeats_for(seconds: float) -> int:
     return max(1, min(1000, round(SHORTEST / max(seconds, 1e-9))))
 
 
+def first_of(call: Callable[[], Any]) -> tuple[Any, float]:
+    """What a call gives, and its seconds."""
+    start = time.perf_counter()
+    found = call()
+    return found, time.perf_counter() - start
+
+
 def interleaved(
-    calls: Sequence[Callable[[], Any]], budget: float, fewest: int = FEWEST, most: int = MOST
-) -> list[list[float]]:
-    """Times of several calls in turn, until the budget of seconds is spent; each was called before, and is warm."""
+    call: Callable[[], Any], beside: Callable[[], Any], budget: float
+) -> tuple[Any, list[float], list[float]]:
+    """What the first call gives; times of later ones, and of the other call in turn, until the budget is spent.
+
+    The first calls warm both up; but what takes longer than the budget by far is not run again.
+    """
     with quiet():
+        found, seconds = first_of(call)
+        other = first_of(beside)[1]
+        if max(seconds, other) > LONG * budget:
+            return found, *(
+                [was if was > LONG * budget else once(one, repeats_for(was))]
+                for was, one in ((seconds, call), (other, beside))
+            )
+        # Warm, to see how many in a row.
+        repeats = [repeats_for(once(one)) for one in (call, beside)]
         start = time.perf_counter()
-        first = [once(call, 1) for call in calls]
-        repeats = [repeats_for(seconds) for seconds in first]
-        slow = sum(first) > LONG * budget  # so slow that one run must do
-        times: list[list[float]] = [[seconds] if slow else [] for seconds in first]
-        while not slow and (len(times[0]) < fewest or (len(times[0]) < most and time.perf_counter() - start < budget)):
-            for call, number, row in zip(calls, repeats, times, strict=True):
-                row.append(once(call, number))
-    return times
+        times: tuple[list[float], list[float]] = ([], [])
+        while len(times[0]) < FEWEST or (len(times[0]) < MOST and time.perf_counter() - start < budget):
+            for one, number, row in zip((call, beside), repeats, times, strict=True):
+                row.append(once(one, number))
+    return found, *times
+
+
+def alone(call: Callable[[], Any], budget: float) -> tuple[Any, list[float]]:
+    """The same for one call."""
+    with quiet():
+        found, seconds = first_of(call)
+        if seconds > LONG * budget:
+            return found, [seconds]
+        repeats, start, times = repeats_for(once(call)), time.perf_counter(), list[float]()
+        while len(times) < FEWEST or (len(times) < MOST and time.perf_counter() - start < budget):
+            times.append(once(call, repeats))
+    return found, times
 
 
 def peak_memory(call: Callable[[], Any]) -> int:

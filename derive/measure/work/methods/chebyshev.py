@@ -14,7 +14,7 @@ import numpy as np
 from numpy.polynomial import chebyshev
 
 from derive.measure.reference import Rod
-from derive.measure.work.peers.common import Array, Solved, couple, first_guess, stiffness
+from derive.measure.work.methods.rod_solver import Array, RodSolver, Solved, by_number, couple, first_guess, stiffness
 
 MOST_ROUNDS = 20
 SETTLED = 1e-12  # a Newton step below this is the last: the next one would be rounding
@@ -109,3 +109,17 @@ def fold(rod: Rod, eta: float, tip_angle: float, n: int) -> tuple[float, float] 
             return eta * float(at[-1]), float(at[m - 1])
         before = size
     return None
+
+
+METHODS = (
+    RodSolver(
+        "Chebyshev",
+        solve,
+        settings=(8, 12, 16, 24, 32, 48),
+        quick=(16, 32),
+        spelled=by_number,
+        limit=lambda n: max(10 ** (-0.4 * n), 1e-9),  # geometric in n, down to the rounding of n⁴ roundings
+        tasks=("T1", "T2", "T3", "T4", "T6"),
+        fold=fold,
+    ).method(),
+)

@@ -9,14 +9,15 @@ that are not monotone, that is most unstable ones, are beyond it as they are bey
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
-from scipy.optimize import brentq
-from scipy.special import ellipj, elliprf, elliprj
 
 from derive.measure.reference import Rod
-from derive.measure.work.peers.common import Array, Solved, couple, stiffness
+from derive.measure.work.cells import PEER, Cell, Method, Problem
+from derive.measure.work.families import Plan
+from derive.measure.work.methods.rod_solver import Array, RodSolver, Solved, couple, stiffness
 
 AROUND = (0.02, 0.05, 0.1, 0.2)  # half-widths of brackets that are tried
 
@@ -38,6 +39,8 @@ def gaps(rod: Rod, tip: float, cotangent: Any) -> tuple[float, Any]:
 
 def length(rod: Rod, tip: float) -> float:
     """The length of the monotone rod that has this tip angle."""
+    from scipy.special import elliprf
+
     if tip == rod.clamp_angle:
         return np.inf
     _, apart = gaps(rod, tip, 1 / np.tan((rod.clamp_angle - tip) / 2))
@@ -46,12 +49,16 @@ def length(rod: Rod, tip: float) -> float:
 
 def position(tip: float, b: float, arc: Any, apart: Any, x: Any) -> Any:
     """y + iz from a point to the tip."""
+    from scipy.special import elliprj
+
     third = elliprj(*np.moveaxis(apart.astype(complex), -1, 0), x - 1j * b)
     return np.exp(1j * tip) * (arc + 2j * b / 3 * third)
 
 
-def solve(rod: Rod, tip_angle: float) -> Solved | None:
+def solve(rod: Rod, tip_angle: float, _: Any = None) -> Solved | None:
     """The equilibrium with a tip near the guess, if it is monotone, or None."""
+    from scipy.optimize import brentq
+
     for width in AROUND:
         ends = (tip_angle - width, tip_angle + width)
         miss = [length(rod, end) - rod.length for end in ends]
@@ -75,6 +82,8 @@ def solve(rod: Rod, tip_angle: float) -> Solved | None:
 
 def along(roots: Any, arc: Array) -> Array:
     """X at distances from the tip: Weierstrass's function of them, up to a constant, by Jacobi's functions."""
+    from scipy.special import ellipj
+
     real = np.sort(roots.real)[::-1]
     if np.max(np.abs(roots.imag)) <= 1e-9 * np.max(np.abs(roots)):
         e1, e2, e3 = real
@@ -90,6 +99,37 @@ def along(roots: Any, arc: Array) -> Array:
 
 def wp(u: Array, roots: tuple[float, float, float]) -> Array:
     """℘ on the real axis of a real lattice, by `ellipj`: what SciPy has of Weierstrass's functions."""
+    from scipy.special import ellipj
+
     e1, e2, e3 = roots
     sn = ellipj(np.sqrt(e1 - e3) * u, (e2 - e3) / (e1 - e3))[0]
     return np.asarray(e3 + (e1 - e3) / sn**2)
+
+
+def alone(number: int) -> Any:
+    """Jacobi's functions at as many points."""
+    from scipy.special import ellipj
+
+    arguments = np.linspace(0.0, 3.0, number)
+    return lambda: ellipj(arguments, 0.7)
+
+
+def jacobi_cells(problem: Problem, plan: Plan) -> Iterator[Cell]:
+    """T3: what nothing that calls `ellipj` at every point is faster than. T5: ℘."""
+    given = problem.inputs
+    if problem.task == "T3":
+        yield Cell("no rod", lambda: alone(len(given[2])), 0.0, lambda _: [None] * 3, whole=False)
+    if problem.task == "T5" and given.kind == "p":
+        yield Cell("array", lambda: lambda: wp(given.u, given.values), 1e-10)
+
+
+SOLVER = RodSolver(
+    "SciPy R_F, R_J, ellipj",
+    solve,
+    settings=(None,),
+    quick=(None,),
+    spelled=lambda _: "brentq",
+    limit=lambda _: 1e-11,
+    tasks=("T1", "T3"),
+)
+METHODS = (SOLVER.method("scipy"), Method("SciPy ellipj", PEER, jacobi_cells, ("scipy",)))

@@ -8,17 +8,20 @@ gradients are of order one. A minimiser finds stable equilibria only, and its er
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
-from scipy.optimize import minimize
 
 from derive.measure.reference import Rod
-from derive.measure.work.peers.common import Array, Solved, couple, first_guess, stiffness
+from derive.measure.work.methods.rod_solver import Array, RodSolver, Solved, by_number, couple, first_guess, stiffness
 
 GRADIENT = 1e-8  # energies lose the differences that show a smaller one
 
 
-def solve(rod: Rod, tip_angle: float, segments: int, method: str) -> Solved | None:
+def solve(method: str, rod: Rod, tip_angle: float, segments: int) -> Solved | None:
     """The minimum that is reached from the parabola to a tip angle, or None."""
+    from scipy.optimize import minimize
+
     width = 1.0 / segments
     joint = np.full(segments, 1 / width)
     joint[0] = 2 / width
@@ -66,3 +69,21 @@ def shaped(rod: Rod, theta: Array) -> Solved:
         return np.interp(s, places, angles), np.interp(s, corners, y), np.interp(s, corners, z)
 
     return Solved(tip, float(y[-1]), float(z[-1]), at)
+
+
+def _method(name: str, *, settings: tuple[int, ...], tasks: tuple[str, ...]) -> RodSolver:
+    return RodSolver(
+        f"discrete rod, {name}",
+        partial(solve, name),
+        settings,
+        quick=(20,),
+        spelled=by_number,
+        limit=lambda n: 1 / n**2,
+        tasks=tasks,
+    )
+
+
+METHODS = (
+    _method("L-BFGS", settings=(20, 80), tasks=("T1",)).method("scipy"),
+    _method("trust-ncg", settings=(20, 80, 320, 1280), tasks=("T1", "T3")).method("scipy"),
+)

@@ -10,8 +10,11 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
-from collections.abc import Sequence
-from importlib.util import find_spec
+from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
+
+from derive.measure.work.cells import PEER, Cell, Method, Problem
+from derive.measure.work.families import Plan
 
 WORKER = """
 import importlib, json, sys
@@ -28,11 +31,6 @@ for line in sys.stdin:
     found = call()
     print(json.dumps([[complex(x).real, complex(x).imag] for x in found]) if line == "show\\n" else "", flush=True)
 """
-
-
-def installed(module: str) -> bool:
-    """Whether the package is there; it is looked for, not imported."""
-    return find_spec(module.split(".")[0]) is not None
 
 
 class Outside:
@@ -70,3 +68,34 @@ class Outside:
         if self.process.stdout is not None:
             self.process.stdout.close()
         self.process.wait(timeout=10)
+
+
+def cells(module: str, functions: Mapping[str, str], lattice: str, problem: Problem, plan: Plan) -> Iterator[Cell]:
+    """lattice: what a package takes, "half_periods" (and points one by one) or "values" (and arrays)."""
+    if problem.task == "T5":
+        given = problem.inputs
+        each = lattice == "half_periods"
+        points = given.u[given.sample].tolist() if each else given.u.tolist()
+        start = partial(Outside, module, functions[given.kind], getattr(given, lattice), points)
+        yield Cell("doubles", start, 1e-10, share=len(points) / problem.units)
+
+
+METHODS = (
+    Method(
+        "pyweierstrass",
+        PEER,
+        partial(cells, "pyweierstrass.weierstrass", {"p": "wp", "zeta": "wzeta", "sigma": "wsigma"}, "half_periods"),
+        ("pyweierstrass",),
+    ),
+    Method(
+        "elliptic-functions",
+        PEER,
+        partial(
+            cells,
+            "elliptic",
+            {"p": "weierstrassP", "zeta": "weierstrassZeta", "sigma": "weierstrassSigma"},
+            "values",
+        ),
+        ("elliptic",),
+    ),
+)

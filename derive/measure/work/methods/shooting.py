@@ -3,19 +3,19 @@
 Set up: from the tip, where θ′ = 0, so that the tip angle alone is unknown; the linearised equation runs along, and
 gives Newton's method its exact derivative; lengths are scaled by ℓ; rtol = atol = the tolerance, not below 1e-13;
 Radau has the analytic Jacobian (DOP853 needs none, LSODA builds its own banded one cheaply). When Newton's steps are
-below the tolerance, one more run carries y and z, with dense output only if a shape is wanted. A fold is Newton's
+below the tolerance, one more run carries y and z, with dense output. A fold is Newton's
 method in two unknowns, the tip angle and η, with the equations for the second derivatives along.
 """
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import numpy as np
-from scipy.integrate import solve_ivp
 
 from derive.measure.reference import Rod
-from derive.measure.work.peers.common import Array, Solved, couple, stiffness
+from derive.measure.work.methods.rod_solver import Array, RodSolver, Solved, by_tolerance, couple, stiffness
 
 LEAST = 1e-13
 MOST_ROUNDS = 14
@@ -24,6 +24,8 @@ FURTHEST = 1.0  # a Newton step of more than this is cut
 
 def run(rod: Rod, start: Array, tolerance: float, method: str, right_side: Any, jacobian: Any, dense: bool) -> Any:
     """From the tip to the clamp."""
+    from scipy.integrate import solve_ivp
+
     options = {"jac": jacobian} if method == "Radau" else {}
     limit = max(tolerance, LEAST)
     found = solve_ivp(
@@ -63,7 +65,7 @@ def with_position(rod: Rod) -> tuple[Any, Any]:
     return right_side, jacobian
 
 
-def solve(rod: Rod, tip_angle: float, tolerance: float, method: str, shape: bool = False) -> Solved | None:
+def solve(method: str, rod: Rod, tip_angle: float, tolerance: float) -> Solved | None:
     """The equilibrium that Newton's method reaches from a tip angle, or None."""
     equations, tip = linearised(rod), tip_angle
     for _ in range(MOST_ROUNDS):
@@ -76,7 +78,7 @@ def solve(rod: Rod, tip_angle: float, tolerance: float, method: str, shape: bool
             break
     else:
         return None
-    path = run(rod, np.array([tip, 0.0, 0.0, 0.0]), tolerance, method, *with_position(rod), dense=shape)
+    path = run(rod, np.array([tip, 0.0, 0.0, 0.0]), tolerance, method, *with_position(rod), dense=True)
     if path is None:
         return None
     whole_y, whole_z = float(path.y[2, -1]), float(path.y[3, -1])
@@ -88,11 +90,13 @@ def solve(rod: Rod, tip_angle: float, tolerance: float, method: str, shape: bool
     return Solved(tip, whole_y, whole_z, at)
 
 
-def fold(rod: Rod, eta: float, tip_angle: float, tolerance: float, method: str) -> tuple[float, float] | None:
+def fold(method: str, rod: Rod, eta: float, tip_angle: float, tolerance: float) -> tuple[float, float] | None:
     """η and the tip angle at the fold near them: F = θ(0) − clamp angle and h(0) both 0, by Newton's method.
 
     Along run h = ∂θ/∂φ, k = ∂θ/∂η and their derivatives by φ and η, which give the exact 2 × 2 matrix.
     """
+    from scipy.integrate import solve_ivp
+
     square, limit = rod.length**2, max(tolerance, LEAST)
     phi, level = tip_angle, eta
     for _ in range(MOST_ROUNDS):
@@ -125,3 +129,26 @@ def fold(rod: Rod, eta: float, tip_angle: float, tolerance: float, method: str) 
         if abs(step[0]) < limit and abs(step[1]) < limit * eta:
             return level, phi
     return None
+
+
+TOLERANCES = (1e-3, 1e-6, 1e-9, 1e-12)
+
+
+def _method(name: str, settings: tuple[float, ...], quick: tuple[float, ...], *tasks: str) -> RodSolver:
+    return RodSolver(
+        f"shooting, {name}",
+        partial(solve, name),
+        settings,
+        quick,
+        by_tolerance,
+        limit=lambda tolerance: max(1000 * tolerance, 1e-9),  # of one step; errors add up along the rod
+        tasks=tasks,
+        fold=partial(fold, name),
+    )
+
+
+METHODS = (
+    _method("DOP853", TOLERANCES, (1e-6,), "T1", "T2", "T3", "T4", "T6").method("scipy"),
+    _method("LSODA", TOLERANCES, (1e-6,), "T1", "T3", "T6").method("scipy"),
+    _method("Radau", TOLERANCES[:3], (1e-3,), "T1", "T3").method("scipy"),
+)

@@ -9,11 +9,17 @@ an unknown parameter, normalised by h = 1 at the tip.
 from __future__ import annotations
 
 import numpy as np
-from scipy.integrate import solve_bvp
-from scipy.interpolate import CubicHermiteSpline
 
 from derive.measure.reference import Rod
-from derive.measure.work.peers.common import Array, Solved, couple, first_guess, stiffness
+from derive.measure.work.methods.rod_solver import (
+    Array,
+    RodSolver,
+    Solved,
+    by_tolerance,
+    couple,
+    first_guess,
+    stiffness,
+)
 
 NODES = 21
 MOST_NODES = 20_000
@@ -22,6 +28,8 @@ GAUSS = np.polynomial.legendre.leggauss(3)
 
 def solve(rod: Rod, tip_angle: float, tolerance: float) -> Solved | None:
     """The equilibrium that is reached from the parabola to a tip angle, or None."""
+    from scipy.integrate import solve_bvp
+
     grid, square = np.linspace(0, 1, NODES), rod.length**2
 
     def right_side(_: Array, at: Array) -> Array:
@@ -47,6 +55,8 @@ def solve(rod: Rod, tip_angle: float, tolerance: float) -> Solved | None:
 
 def with_position(rod: Rod, found: object) -> Solved:
     """y and z at the nodes by quadrature, between them by splines."""
+    from scipy.interpolate import CubicHermiteSpline
+
     nodes, solution = found.x, found.sol  # type: ignore[attr-defined]
     width = np.diff(nodes)
     inner = nodes[:-1, None] + width[:, None] * (GAUSS[0] + 1) / 2
@@ -65,6 +75,8 @@ def with_position(rod: Rod, found: object) -> Solved:
 
 def fold(rod: Rod, eta: float, tip_angle: float, tolerance: float) -> tuple[float, float] | None:
     """η and the tip angle at the fold near them, or None. The parameter is η over the guess, of order one."""
+    from scipy.integrate import solve_bvp
+
     grid, square = np.linspace(0, 1, NODES), rod.length**2
 
     def loaded(p: Array) -> Rod:
@@ -91,3 +103,17 @@ def fold(rod: Rod, eta: float, tip_angle: float, tolerance: float) -> tuple[floa
     guess = np.array([first_guess(rod, tip_angle, grid), 2 * turn * (1 - grid), grid * (2 - grid), 2 * (1 - grid)])
     found = solve_bvp(right_side, ends, grid, guess, p=[1.0], fun_jac=slope, tol=tolerance, max_nodes=MOST_NODES)
     return (eta * float(found.p[0]), float(found.y[0, -1])) if found.success else None
+
+
+METHODS = (
+    RodSolver(
+        "solve_bvp",
+        solve,
+        settings=(1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12),
+        quick=(1e-3, 1e-8),
+        spelled=by_tolerance,
+        limit=lambda tolerance: max(300 * tolerance, 1e-9),  # a tolerance of the residual is none of the error
+        tasks=("T1", "T2", "T3", "T4", "T6"),
+        fold=fold,
+    ).method("scipy"),
+)

@@ -1,0 +1,30 @@
+"""T2: all equilibria of the moderate rods on which every emitted module is run, in four load cases."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+
+from derive.measure.reference import DIGITS
+from derive.measure.rods import rods
+from derive.measure.work import judged, known
+from derive.measure.work.cells import Problem
+from derive.measure.work.families import Plan
+
+TITLE = "all equilibria"
+CASES = {
+    "parallel": "force and field",
+    "field_only": "no force",
+    "force_only": "no field",
+    "oblique": "field at any angle",
+}
+
+
+def problems(plan: Plan) -> Iterator[Problem]:
+    """A problem for each load case; inputs are the case and its rods."""
+    for case, title in CASES.items():
+        chosen = rods(case)[:5:2] if plan.quick else rods(case)
+        wanted = [known.equilibria(plan.cache, rod, DIGITS) for rod in chosen]
+        judge = partial(judged.of_equilibria, rods=chosen, wanted=wanted, digits=DIGITS)
+        name = f"T2-{case}"
+        yield Problem(name, "T2", f"{TITLE}: {title}", "rod", len(chosen), (case, chosen), judge, case != "parallel")
