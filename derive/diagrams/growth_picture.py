@@ -36,4 +36,4 @@ def draw(axes: Any, records: Sequence[Record], unit: str, value: Callable[[Recor
     axes.set_xlabel("amount: points, equilibria, digits, rods, formulas")
     axes.set_ylabel(unit)
     axes.grid(True, which="major", color="#e9e9e9", lw=0.6, zorder=-1)
-    axes.legend(fontsize=9)
+    axes.legend(fontsize=9, loc="upper left", bbox_to_anchor=(0.0, -0.16))

@@ -9,8 +9,8 @@ from derive.measure.work.fronts import comparable, front, wins
 
 PREFACE = (
     "Errors are against references of 40 digits or more, in natural sizes: angles in radians, places over the length, "
-    "values and η relative to themselves. Times are medians of warm runs, with the least and the most; one alone where a "
-    "run is long. “Over ours” is the ratio to the first row, run in turn with it; • is on the front of those that "
+    "values and η relative to themselves. Times are medians of warm runs, with the least and the most; one alone where "
+    "a run is long. “Over ours” is the ratio to the first row, run in turn with it; • is on the front of those that "
     "do the whole task and find all."
 )
 UNITS = ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs"), (1e-9, "ns"))

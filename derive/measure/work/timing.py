@@ -13,7 +13,7 @@ from typing import Any
 
 SHORTEST = 2e-3  # seconds: what is faster is run several times in a row
 FEWEST, MOST = 3, 15  # runs of a call
-LONG = 1.5  # budgets: what takes longer is run once, and that run is timed
+LONG, LEAST_LONG = 1.5, 0.1  # budgets, and seconds: what takes longer is run once, and that run is timed
 
 
 @dataclass(frozen=True)
@@ -57,6 +57,11 @@ def repeats_for(seconds: float) -> int:
     return max(1, min(1000, round(SHORTEST / max(seconds, 1e-9))))
 
 
+def is_long(seconds: float, budget: float) -> bool:
+    """Whether a call takes so long that it is not run again."""
+    return seconds > max(LONG * budget, LEAST_LONG)
+
+
 def first_of(call: Callable[[], Any]) -> tuple[Any, float]:
     """What a call gives, and its seconds."""
     start = time.perf_counter()
@@ -74,11 +79,9 @@ def interleaved(
     with quiet():
         found, seconds = first_of(call)
         other = first_of(beside)[1]
-        if max(seconds, other) > LONG * budget:
-            return found, *(
-                [was if was > LONG * budget else once(one, repeats_for(was))]
-                for was, one in ((seconds, call), (other, beside))
-            )
+        if is_long(max(seconds, other), budget):
+            ran = ((call, seconds), (beside, other))
+            return found, *([time] if is_long(time, budget) else [once(one, repeats_for(time))] for one, time in ran)
         # Warm, to see how many in a row.
         repeats = [repeats_for(once(one)) for one in (call, beside)]
         start = time.perf_counter()
@@ -93,7 +96,7 @@ def alone(call: Callable[[], Any], budget: float) -> tuple[Any, list[float]]:
     """The same for one call."""
     with quiet():
         found, seconds = first_of(call)
-        if seconds > LONG * budget:
+        if is_long(seconds, budget):
             return found, [seconds]
         repeats, start, times = repeats_for(once(call)), time.perf_counter(), list[float]()
         while len(times) < FEWEST or (len(times) < MOST and time.perf_counter() - start < budget):

@@ -48,7 +48,8 @@ def text() -> str:
     from derive.emit.printer import formula_function
     from derive.theory.chain import derive_all
     from derive.theory.claims import Formula
-    from derive.theory.symbols import beta, eta, xi, xi_tip
+    from derive.theory.load_case import xi_tip
+    from derive.theory.symbols import beta, eta, xi
 
     theory = derive_all()
     case, minus = theory.cases["parallel"], Symbol("minus")
