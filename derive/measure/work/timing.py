@@ -13,7 +13,8 @@ from typing import Any
 
 SHORTEST = 2e-3  # seconds: what is faster is run several times in a row
 FEWEST, MOST = 3, 15  # runs of a call
-LONG, LEAST_LONG = 1.5, 0.1  # budgets, and seconds: what takes longer is run once, and that run is timed
+LONG, LEAST_LONG = 1.5, 0.1  # budgets, and seconds: what takes longer is run once more, or not at all
+COLD = 1.0  # seconds above which a first call counts: what it imports is little beside that
 
 
 @dataclass(frozen=True)
@@ -58,49 +59,39 @@ def repeats_for(seconds: float) -> int:
 
 
 def is_long(seconds: float, budget: float) -> bool:
-    """Whether a call takes so long that it is not run again."""
+    """Whether a call takes so long that one run must do."""
     return seconds > max(LONG * budget, LEAST_LONG)
 
 
-def first_of(call: Callable[[], Any]) -> tuple[Any, float]:
-    """What a call gives, and its seconds."""
+def warmed(call: Callable[[], Any]) -> tuple[Any, float]:
+    """What the first call gives, and the seconds of a warm one."""
     start = time.perf_counter()
     found = call()
-    return found, time.perf_counter() - start
+    seconds = time.perf_counter() - start
+    return found, seconds if seconds > COLD else once(call)
 
 
 def interleaved(
     call: Callable[[], Any], beside: Callable[[], Any], budget: float
 ) -> tuple[Any, list[float], list[float]]:
-    """What the first call gives; times of later ones, and of the other call in turn, until the budget is spent.
-
-    The first calls warm both up; but what takes longer than the budget by far is not run again.
-    """
+    """What the first call gives; times of later ones, and of the other call in turn, until the budget is spent."""
     with quiet():
-        found, seconds = first_of(call)
-        other = first_of(beside)[1]
-        if is_long(max(seconds, other), budget):
-            ran = ((call, seconds), (beside, other))
-            return found, *([time] if is_long(time, budget) else [once(one, repeats_for(time))] for one, time in ran)
-        # Warm, to see how many in a row.
-        repeats = [repeats_for(once(one)) for one in (call, beside)]
-        start = time.perf_counter()
+        found, seconds = warmed(call)
+        pairs = (call, seconds), (beside, warmed(beside)[1])
+        if any(is_long(size, budget) for _, size in pairs):
+            own, other = ([size] if is_long(size, budget) else [once(one, repeats_for(size))] for one, size in pairs)
+            return found, own, other
         times: tuple[list[float], list[float]] = ([], [])
+        start = time.perf_counter()
         while len(times[0]) < FEWEST or (len(times[0]) < MOST and time.perf_counter() - start < budget):
-            for one, number, row in zip((call, beside), repeats, times, strict=True):
-                row.append(once(one, number))
+            for (one, size), row in zip(pairs, times, strict=True):
+                row.append(once(one, repeats_for(size)))
     return found, *times
 
 
 def alone(call: Callable[[], Any], budget: float) -> tuple[Any, list[float]]:
     """The same for one call."""
-    with quiet():
-        found, seconds = first_of(call)
-        if is_long(seconds, budget):
-            return found, [seconds]
-        repeats, start, times = repeats_for(once(call)), time.perf_counter(), list[float]()
-        while len(times) < FEWEST or (len(times) < MOST and time.perf_counter() - start < budget):
-            times.append(once(call, repeats))
+    found, times, _ = interleaved(call, lambda: None, budget)
     return found, times
 
 

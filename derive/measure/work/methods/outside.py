@@ -27,6 +27,7 @@ if asked["each"]:
     call = lambda: [function(x, pair) for x in asked["points"]]
 else:
     call = lambda: function(points, *lattice)
+print("ready", flush=True)
 for line in sys.stdin:
     found = call()
     print(json.dumps([[complex(x).real, complex(x).imag] for x in found]) if line == "show\\n" else "", flush=True)
@@ -42,20 +43,21 @@ class Outside:
             [sys.executable, "-c", WORKER], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
         )
         asked = {"module": module, "function": function, "lattice": list(lattice), "points": list(points)}
-        self._say(json.dumps({**asked, "each": len(lattice) == 2}))
+        self._ask(json.dumps({**asked, "each": len(lattice) == 2}))
 
-    def _say(self, line: str) -> None:
+    def _ask(self, line: str) -> str:
         assert self.process.stdin is not None
+        assert self.process.stdout is not None
         self.process.stdin.write(line + "\n")
         self.process.stdin.flush()
-
-    def __call__(self) -> list[float] | None:
-        """Compute all values once."""
-        assert self.process.stdout is not None
-        self._say("go" if self.shown else "show")
         answer = self.process.stdout.readline()
         if not answer:
             raise RuntimeError("the package's process has ended")
+        return answer
+
+    def __call__(self) -> list[float] | None:
+        """Compute all values once."""
+        answer = self._ask("go" if self.shown else "show")
         if self.shown:
             return None
         self.shown = True
