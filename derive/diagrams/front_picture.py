@@ -55,7 +55,8 @@ def in_sight(record: Record) -> bool:
 
 def styles(records: Sequence[Record]) -> dict[str, tuple[str, str]]:
     """Colour and mark of each method, in the order of the table; ours and the article's have round ones."""
-    found, number = {}, 0
+    found: dict[str, tuple[str, str]] = {}
+    number = 0
     for method, group in dict.fromkeys((record["method"], record["group"]) for record in records):
         if group in (OURS, ARTICLE):
             same = sum(colour == COLOURS[group == ARTICLE] for colour, _ in found.values())

@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict, dataclass
 from functools import partial
 from math import log
-from typing import Any
 
 import numpy as np
 
@@ -48,10 +47,10 @@ class Grown:
 
     series: str
     variable: str
-    amounts: tuple[float, float]
-    seconds: tuple[float, float]
+    amounts: Sequence[float]
+    seconds: Sequence[float]
     time: float
-    bytes: tuple[int, int] | None
+    bytes: Sequence[int] | None
     memory: float | None
 
 
@@ -60,23 +59,24 @@ def exponents(records: Sequence[Record]) -> list[Grown]:
     found = []
     for name in dict.fromkeys(record["series"] for record in records):
         rows = sorted((r for r in records if r["series"] == name), key=lambda r: float(r["amount"]))
-        if len(rows) < 2:
-            continue
-        first, last, upper = rows[0], rows[-1], rows[-max(2, (len(rows) + 1) // 2) :]
-        ends: Callable[[Callable[[Record], Any]], Any] = lambda of, a=first, b=last: (of(a), of(b))  # noqa: E731
-        kept = all(r["bytes"] is not None for r in rows)
-        found.append(
-            Grown(
-                name,
-                first["variable"],
-                ends(lambda r: r["amount"]),
-                ends(lambda r: r["seconds"]["median"]),
-                slope(upper, lambda r: r["seconds"]["median"]),
-                ends(lambda r: r["bytes"]) if kept else None,
-                slope(upper, lambda r: max(1, r["bytes"])) if kept else None,
-            )
-        )
+        if len(rows) > 1:
+            found.append(grown(rows))
     return found
+
+
+def grown(rows: Sequence[Record]) -> Grown:
+    """What one series shows, from the least amount to the largest."""
+    upper, ends = rows[-max(2, (len(rows) + 1) // 2) :], (rows[0], rows[-1])
+    kept = all(row["bytes"] is not None for row in rows)
+    return Grown(
+        rows[0]["series"],
+        rows[0]["variable"],
+        [row["amount"] for row in ends],
+        [row["seconds"]["median"] for row in ends],
+        slope(upper, lambda row: float(row["seconds"]["median"])),
+        [row["bytes"] for row in ends] if kept else None,
+        slope(upper, lambda row: max(1.0, row["bytes"])) if kept else None,
+    )
 
 
 def slope(records: Sequence[Record], value: Callable[[Record], float]) -> float:

@@ -67,7 +67,11 @@ class RodSolver:
 
     def call(self, problem: Problem, setting: Any) -> Call:
         """What is timed, on a problem."""
-        solve, given = partial(_swapped, self.solve, setting), problem.inputs
+        given = problem.inputs
+
+        def solve(rod: Rod, tip_angle: float) -> Solved | None:
+            return self.solve(rod, tip_angle, setting)
+
         match problem.task:
             case "T1":
                 return lambda: [answers([solve(rod, tip)]) for rod, tip in given]
@@ -80,11 +84,7 @@ class RodSolver:
             case _:
                 fold = self.fold
                 assert fold is not None
-                return lambda: [fold(rod, *guess, setting) for rod, guess in given]
-
-
-def _swapped(solve: Any, setting: Any, rod: Rod, tip_angle: float) -> Solved | None:
-    return solve(rod, tip_angle, setting)  # type: ignore[no-any-return]
+                return lambda: [fold(rod, eta, tip, setting) for rod, (eta, tip) in given]
 
 
 def answers(found: Sequence[Solved | None]) -> list[tuple[float, float, float]]:
@@ -94,12 +94,12 @@ def answers(found: Sequence[Solved | None]) -> list[tuple[float, float, float]]:
 
 def all_found(solve: Callable[[Rod, float], Solved | None], rod: Rod) -> list[tuple[float, float, float]]:
     """What nine guesses lead to, each equilibrium once, sorted by tip angle."""
-    found: list[Solved] = []
+    found = list[Solved]()
     for turn in TURNS:
         one = solve(rod, rod.clamp_angle + float(turn))
         if one is not None and all(abs(one.tip_angle - other.tip_angle) > APART for other in found):
             found.append(one)
-    return answers(sorted(found, key=lambda one: one.tip_angle))
+    return answers(sorted(found, key=lambda solved: solved.tip_angle))
 
 
 def shape(
