@@ -39,8 +39,9 @@ class Outside:
 
     def __init__(self, module: str, function: str, lattice: Sequence[float], points: Sequence[float]) -> None:
         self.shown = False
+        pipe, command = subprocess.PIPE, [sys.executable, "-c", WORKER]
         self.process = subprocess.Popen(
-            [sys.executable, "-c", WORKER], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+            command, stdin=pipe, stdout=pipe, stderr=subprocess.DEVNULL, text=True, encoding="utf-8"
         )
         asked = {"module": module, "function": function, "lattice": list(lattice), "points": list(points)}
         self._ask(json.dumps({**asked, "each": len(lattice) == 2}))
@@ -52,6 +53,7 @@ class Outside:
         self.process.stdin.flush()
         answer = self.process.stdout.readline()
         if not answer:
+            self.close()
             raise RuntimeError("the package's process has ended")
         return answer
 

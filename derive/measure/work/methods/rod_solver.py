@@ -99,7 +99,8 @@ def all_found(solve: Callable[[Rod, float], Solved | None], rod: Rod) -> list[tu
         one = solve(rod, rod.clamp_angle + float(turn))
         if one is not None and all(abs(one.tip_angle - other.tip_angle) > APART for other in found):
             found.append(one)
-    return answers(sorted(found, key=lambda solved: solved.tip_angle))
+    found.sort(key=lambda solved: solved.tip_angle)
+    return answers(found)
 
 
 def shape(
