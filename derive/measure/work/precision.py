@@ -49,13 +49,24 @@ def left_out() -> list[str]:
     ]
 
 
+def idle(records: Sequence[Record]) -> Iterator[str]:
+    """Methods that find nothing in a problem, with any setting."""
+    by_method: dict[tuple[str, str], int] = {}
+    for record in records:
+        if record["whole"]:
+            key = record["problem"], record["method"]
+            by_method[key] = by_method.get(key, 0) + record["errors"]["found"]
+    yield from (
+        f"tasks/{problem}/{method}: nothing was found" for (problem, method), found in by_method.items() if not found
+    )
+
+
 def wrong(records: Sequence[Record]) -> Iterator[str]:
-    """Records whose error is beyond its limit, or that miss what they must find."""
+    """Records whose error is beyond its limit, or that miss what they must find; and methods that find nothing."""
+    yield from idle(records)
     for record in records:
         errors = record["errors"]
         if record["all_found"] and (errors["found"] < errors["of"] or errors["spurious"]):
             yield f"{record['key']}: found {errors['found']} of {errors['of']}, and {errors['spurious']} that are none"
-        elif record["whole"] and not errors["found"]:
-            yield f"{record['key']}: nothing was found"
         elif errors["worst"] is not None and not errors["worst"] <= record["limit"]:
             yield f"{record['key']}: error {errors['worst']:.1e} is beyond its limit {record['limit']:.0e}"

@@ -89,5 +89,5 @@ SERIES = (
     Series("all equilibria, field alone", "equilibria", (10, 30, 100, 300, 1000, 3000), field_alone, len),
     Series("all equilibria, mpmath", "digits", (15, 30, 60, 120, 240, 480), twin),
     Series("a sweep", "rods", (80, 400, 2000, 8000), sweep),
-    Series("formulas judged", "formulas", (4, 8, 16, 32), formulas, memory=False),
+    Series("formulas judged", "formulas", (4, 8, 16, 32, 64), formulas, memory=False),
 )
