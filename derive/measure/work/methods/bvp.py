@@ -1,8 +1,8 @@
 """SciPy's `solve_bvp`: collocation at Lobatto points on a mesh that adapts.
 
 Set up: s is scaled to [0, 1] and θ′ with it; the two states θ, θ′ alone, with analytic Jacobians of the right side and
-of the ends; a mesh of 21 nodes to start and 6000 at most. What is no success counts as not found: at 1e-12 rounding often
-keeps residuals above the tolerance. y and z follow by Gauss's rule on the mesh (of the order of the method), between
+of the ends; a mesh of 21 nodes to start and 6000 at most. What is no success counts as not found: at 1e-12 rounding
+often keeps residuals above the tolerance. y and z follow by Gauss's rule on the mesh (of the order of the method), between
 the nodes by cubic Hermite splines. A fold is the same problem with the linearised equation beside it and η as an
 unknown parameter, normalised by h = 1 at the tip.
 """
