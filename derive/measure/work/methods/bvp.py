@@ -2,12 +2,15 @@
 
 Set up: s is scaled to [0, 1] and θ′ with it; the two states θ, θ′ alone, with analytic Jacobians of the right side and
 of the ends; a mesh of 21 nodes to start and 6000 at most. What is no success counts as not found: at 1e-12 rounding
-often keeps residuals above the tolerance. y and z follow by Gauss's rule on the mesh (of the order of the method), between
-the nodes by cubic Hermite splines. A fold is the same problem with the linearised equation beside it and η as an
-unknown parameter, normalised by h = 1 at the tip.
+often keeps residuals above the tolerance. y and z follow by Gauss's rule on the mesh (of the order of the method),
+between the nodes by cubic Hermite splines. A fold is the same problem with the linearised equation beside it and η as
+an unknown parameter, normalised by h = 1 at the tip.
 """
 
 from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -16,6 +19,7 @@ from derive.measure.work.methods.rod_solver import (
     Array,
     RodSolver,
     Solved,
+    bend,
     by_tolerance,
     couple,
     first_guess,
@@ -78,32 +82,36 @@ def fold(rod: Rod, eta: float, tip_angle: float, tolerance: float) -> tuple[floa
     """η and the tip angle at the fold near them, or None. The parameter is η over the guess, of order one."""
     from scipy.integrate import solve_bvp
 
-    grid, square = np.linspace(0, 1, NODES), rod.length**2
-
-    def loaded(p: Array) -> Rod:
-        return Rod(rod.beta, eta * float(p[0]), rod.length, rod.clamp_angle, rod.field_angle)
-
-    def right_side(_: Array, at: Array, p: Array) -> Array:
-        now = loaded(p)
-        return np.array([at[1], square * couple(now, at[0]), at[3], square * stiffness(now, at[0]) * at[2]])
-
-    def slope(_: Array, at: Array, p: Array) -> tuple[Array, Array]:
-        now, angle = loaded(p), 2 * (at[0] - rod.field_angle)
-        by_state, by_parameter = np.zeros((4, 4, at.shape[1])), np.zeros((4, 1, at.shape[1]))
-        by_state[0, 1] = by_state[2, 3] = 1.0
-        by_state[1, 0] = by_state[3, 2] = square * stiffness(now, at[0])
-        by_state[3, 0] = -square * (now.beta * np.sin(at[0]) + 2 * now.eta * np.sin(angle)) * at[2]
-        by_parameter[1, 0] = square * eta / 2 * np.sin(angle)
-        by_parameter[3, 0] = square * eta * np.cos(angle) * at[2]
-        return by_state, by_parameter
+    grid, turn = np.linspace(0, 1, NODES), tip_angle - rod.clamp_angle
+    guess = np.array([first_guess(rod, tip_angle, grid), 2 * turn * (1 - grid), grid * (2 - grid), 2 * (1 - grid)])
+    right_side, slope = fold_equations(rod, eta)
 
     def ends(a: Array, b: Array, _: Array) -> Array:
         return np.array([a[0] - rod.clamp_angle, b[1], a[2], b[3], b[2] - 1.0])
 
-    turn = tip_angle - rod.clamp_angle
-    guess = np.array([first_guess(rod, tip_angle, grid), 2 * turn * (1 - grid), grid * (2 - grid), 2 * (1 - grid)])
     found = solve_bvp(right_side, ends, grid, guess, p=[1.0], fun_jac=slope, tol=tolerance, max_nodes=MOST_NODES)
     return (eta * float(found.p[0]), float(found.y[0, -1])) if found.success else None
+
+
+def fold_equations(rod: Rod, eta: float) -> tuple[Any, Any]:
+    """Right side and Jacobians, by the state θ, θ′, h, h′ and by the parameter."""
+    square = rod.length**2
+
+    def right_side(_: Array, at: Array, p: Array) -> Array:
+        now = replace(rod, eta=eta * float(p[0]))
+        return np.array([at[1], square * couple(now, at[0]), at[3], square * stiffness(now, at[0]) * at[2]])
+
+    def slope(_: Array, at: Array, p: Array) -> tuple[Array, Array]:
+        now, angle = replace(rod, eta=eta * float(p[0])), 2 * (at[0] - rod.field_angle)
+        by_state, by_parameter = np.zeros((4, 4, at.shape[1])), np.zeros((4, 1, at.shape[1]))
+        by_state[0, 1] = by_state[2, 3] = 1.0
+        by_state[1, 0] = by_state[3, 2] = square * stiffness(now, at[0])
+        by_state[3, 0] = square * bend(now, at[0]) * at[2]
+        by_parameter[1, 0] = square * eta / 2 * np.sin(angle)
+        by_parameter[3, 0] = square * eta * np.cos(angle) * at[2]
+        return by_state, by_parameter
+
+    return right_side, slope
 
 
 METHODS = (

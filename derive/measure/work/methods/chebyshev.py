@@ -8,13 +8,24 @@ sin θ, shapes by Clenshaw's sum. A fold has the linearised equation beside it a
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
 from numpy.polynomial import chebyshev
 
 from derive.measure.reference import Rod
-from derive.measure.work.methods.rod_solver import Array, RodSolver, Solved, by_number, couple, first_guess, stiffness
+from derive.measure.work.methods.rod_solver import (
+    Array,
+    RodSolver,
+    Solved,
+    bend,
+    by_number,
+    couple,
+    first_guess,
+    stiffness,
+)
 
 MOST_ROUNDS = 20
 SETTLED = 1e-12  # a Newton step below this is the last: the next one would be rounding
@@ -34,24 +45,38 @@ def matrices(n: int) -> tuple[Array, Array, Array, Array]:
     return x, first, first @ first, coefficients
 
 
+def newton(start: Array, system: Callable[[Array], tuple[Array, Array]]) -> Array | None:
+    """Newton's method until its step no longer shrinks, None if it leads nowhere; system: residual and Jacobian."""
+    at, before = start, np.inf
+    for _ in range(MOST_ROUNDS):
+        residual, jacobian = system(at)
+        try:
+            step = np.linalg.solve(jacobian, residual)
+        except np.linalg.LinAlgError:
+            return None
+        at = at - step
+        size = float(np.max(np.abs(step)))
+        if size < SETTLED or (before < UNSETTLED and size > before / 2):
+            return at
+        before = size
+    return None
+
+
 def solve(rod: Rod, tip_angle: float, n: int) -> Solved | None:
     """The equilibrium that Newton's method reaches from the parabola to a tip angle, or None."""
     x, first, second, coefficients = matrices(n)
     square = (rod.length / 2) ** 2
-    theta, before = first_guess(rod, tip_angle, (x + 1) / 2), np.inf
-    for _ in range(MOST_ROUNDS):
+
+    def system(theta: Array) -> tuple[Array, Array]:
         residual = second @ theta - square * couple(rod, theta)
         jacobian = second - np.diag(square * stiffness(rod, theta))
         residual[0], residual[-1] = theta[0] - rod.clamp_angle, first[-1] @ theta
         jacobian[0], jacobian[-1] = 0.0, first[-1]
         jacobian[0, 0] = 1.0
-        step = np.linalg.solve(jacobian, residual)
-        theta -= step
-        size = float(np.max(np.abs(step)))
-        if size < SETTLED or (before < UNSETTLED and size > before / 2):
-            return with_position(rod, theta, coefficients)
-        before = size
-    return None
+        return residual, jacobian
+
+    theta = newton(first_guess(rod, tip_angle, (x + 1) / 2), system)
+    return None if theta is None else with_position(rod, theta, coefficients)
 
 
 def with_position(rod: Rod, theta: Array, coefficients: Array) -> Solved:
@@ -71,44 +96,34 @@ def with_position(rod: Rod, theta: Array, coefficients: Array) -> Solved:
 
 def fold(rod: Rod, eta: float, tip_angle: float, n: int) -> tuple[float, float] | None:
     """η and the tip angle at the fold near them, or None; the unknowns are θ, h (1 at the tip) and η over the guess."""
-    x, first, second, _ = matrices(n)
-    square, m = (rod.length / 2) ** 2, n + 1
-    share = (x + 1) / 2
-    at = np.concatenate([first_guess(rod, tip_angle, share), share * (2 - share), [1.0]])
-    zero = np.zeros((m, m))
-    before = np.inf
-    for _ in range(MOST_ROUNDS):
-        theta, h, now = at[:m], at[m:-1], Rod(rod.beta, eta * at[-1], rod.length, rod.clamp_angle, rod.field_angle)
-        angle, rate = 2 * (theta - rod.field_angle), stiffness(now, theta)
-        bend = -(now.beta * np.sin(theta) + 2 * now.eta * np.sin(angle))
-        residual = np.concatenate([second @ theta - square * couple(now, theta), second @ h - square * rate * h, [0.0]])
-        jacobian = np.zeros((2 * m + 1, 2 * m + 1))
-        jacobian[:-1, :-1] = np.block(
-            [[second - np.diag(square * rate), zero], [zero, second - np.diag(square * rate)]]
-        )
-        jacobian[m:-1, :m] -= np.diag(square * bend * h)
-        jacobian[:m, -1] = -square * eta / 2 * np.sin(angle)
-        jacobian[m:-1, -1] = -square * eta * np.cos(angle) * h
-        ends = (
-            (0, slice(0, m), np.eye(m)[0], theta[0] - rod.clamp_angle),
-            (m - 1, slice(0, m), first[-1], first[-1] @ theta),
-            (m, slice(m, 2 * m), np.eye(m)[0], h[0]),
-            (2 * m - 1, slice(m, 2 * m), first[-1], first[-1] @ h),
-            (2 * m, slice(m, 2 * m), np.eye(m)[-1], h[-1] - 1),
-        )
-        for row, columns, values, miss in ends:
-            jacobian[row], residual[row] = 0.0, miss
-            jacobian[row, columns] = values
-        try:
-            step = np.linalg.solve(jacobian, residual)
-        except np.linalg.LinAlgError:
-            return None
-        at = at - step
-        size = float(np.max(np.abs(step)))
-        if size < SETTLED or (before < UNSETTLED and size > before / 2):
-            return eta * float(at[-1]), float(at[m - 1])
-        before = size
-    return None
+    share = (matrices(n)[0] + 1) / 2
+    start = np.concatenate([first_guess(rod, tip_angle, share), share * (2 - share), [1.0]])
+    found = newton(start, lambda at: fold_system(rod, eta, n, at))
+    return None if found is None else (eta * float(found[-1]), float(found[n]))
+
+
+def fold_system(rod: Rod, eta: float, n: int, at: Array) -> tuple[Array, Array]:
+    """Residual and Jacobian: the equation and the linearised one inside, five conditions in the rows of the ends."""
+    _, first, second, _ = matrices(n)
+    m, square, now = n + 1, (rod.length / 2) ** 2, replace(rod, eta=eta * at[-1])
+    theta, h, angle = at[:m], at[m:-1], 2 * (at[:m] - rod.field_angle)
+    curved, zero = second - np.diag(square * stiffness(now, theta)), np.zeros((m, m))
+    residual = np.concatenate([second @ theta - square * couple(now, theta), curved @ h, [0.0]])
+    jacobian = np.zeros((2 * m + 1, 2 * m + 1))
+    jacobian[:-1, :-1] = np.block([[curved, zero], [np.diag(-square * bend(now, theta) * h), curved]])
+    jacobian[:m, -1] = -square * eta / 2 * np.sin(angle)
+    jacobian[m:-1, -1] = -square * eta * np.cos(angle) * h
+    unit = np.eye(m)
+    for row, columns, values, given in (
+        (0, slice(0, m), unit[0], rod.clamp_angle),
+        (m - 1, slice(0, m), first[-1], 0.0),
+        (m, slice(m, 2 * m), unit[0], 0.0),
+        (2 * m - 1, slice(m, 2 * m), first[-1], 0.0),
+        (2 * m, slice(m, 2 * m), unit[-1], 1.0),
+    ):
+        jacobian[row], residual[row] = 0.0, values @ at[columns] - given
+        jacobian[row, columns] = values
+    return residual, jacobian
 
 
 METHODS = (

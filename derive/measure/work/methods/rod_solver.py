@@ -123,6 +123,11 @@ def stiffness(rod: Rod, theta: Any) -> Any:
     return rod.beta * np.cos(theta) + rod.eta * np.cos(2 * (theta - rod.field_angle))
 
 
+def bend(rod: Rod, theta: Any) -> Any:
+    """d²θ″/dθ²."""
+    return -rod.beta * np.sin(theta) - 2 * rod.eta * np.sin(2 * (theta - rod.field_angle))
+
+
 def first_guess(rod: Rod, tip_angle: float, share: Array) -> Array:
     """The parabola over s/ℓ that has the clamp angle at the clamp, and the tip angle and no curvature at the tip."""
     return np.asarray(rod.clamp_angle + (tip_angle - rod.clamp_angle) * share * (2 - share))

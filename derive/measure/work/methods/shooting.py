@@ -9,13 +9,15 @@ method in two unknowns, the tip angle and η, with the equations for the second 
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
 import numpy as np
 
 from derive.measure.reference import Rod
-from derive.measure.work.methods.rod_solver import Array, RodSolver, Solved, by_tolerance, couple, stiffness
+from derive.measure.work.methods.rod_solver import Array, RodSolver, Solved, bend, by_tolerance, couple, stiffness
 
 LEAST = 1e-13
 MOST_ROUNDS = 14
@@ -42,9 +44,8 @@ def linearised(rod: Rod) -> tuple[Any, Any]:
         return [at[1], square * couple(rod, at[0]), at[3], square * stiffness(rod, at[0]) * at[2]]
 
     def jacobian(_: float, at: Array) -> Array:
-        rate = square * stiffness(rod, at[0])
-        bend = rod.beta * np.sin(at[0]) + 2 * rod.eta * np.sin(2 * (at[0] - rod.field_angle))
-        return np.array([[0, 1, 0, 0], [rate, 0, 0, 0], [0, 0, 0, 1], [-square * bend * at[2], 0, rate, 0]])
+        rate, change = square * stiffness(rod, at[0]), square * bend(rod, at[0]) * at[2]
+        return np.array([[0, 1, 0, 0], [rate, 0, 0, 0], [0, 0, 0, 1], [change, 0, rate, 0]])
 
     return right_side, jacobian
 
@@ -91,33 +92,15 @@ def solve(method: str, rod: Rod, tip_angle: float, tolerance: float) -> Solved |
 
 
 def fold(method: str, rod: Rod, eta: float, tip_angle: float, tolerance: float) -> tuple[float, float] | None:
-    """η and the tip angle at the fold near them: F = θ(0) − clamp angle and h(0) both 0, by Newton's method.
-
-    Along run h = ∂θ/∂φ, k = ∂θ/∂η and their derivatives by φ and η, which give the exact 2 × 2 matrix.
-    """
+    """η and the tip angle at the fold near them: F = θ(0) − clamp angle and h(0) both 0, by Newton's method."""
     from scipy.integrate import solve_ivp
 
-    square, limit = rod.length**2, max(tolerance, LEAST)
-    phi, level = tip_angle, eta
+    limit, phi, level = max(tolerance, LEAST), tip_angle, eta
+    start = np.zeros(10)
     for _ in range(MOST_ROUNDS):
-
-        def right_side(_: float, at: Array, level: float = level) -> list[float]:
-            angle = 2 * (at[0] - rod.field_angle)
-            turn, sine, cosine = rod.beta * np.cos(at[0]) + level * np.cos(angle), np.sin(angle), np.cos(angle)
-            bend = -(rod.beta * np.sin(at[0]) + 2 * level * sine)
-            h, k = at[2], at[4]
-            second = [
-                square * (rod.beta * np.sin(at[0]) + level / 2 * sine),
-                square * turn * h,
-                square * (turn * k + sine / 2),
-                square * (turn * at[6] + bend * h * h),
-                square * (turn * at[8] + bend * h * k + cosine * h),
-            ]
-            return [part for pair in zip(at[1::2], second, strict=True) for part in pair]
-
-        start = np.zeros(10)
         start[0], start[2] = phi, 1.0
-        found = solve_ivp(right_side, (0.0, 1.0), start, method=method, rtol=limit, atol=limit)
+        equations = second_order(replace(rod, eta=level))
+        found = solve_ivp(equations, (0.0, 1.0), start, method=method, rtol=limit, atol=limit)
         if not found.success:
             return None
         miss, h, k, h_phi, h_eta = found.y[0::2, -1]
@@ -129,6 +112,26 @@ def fold(method: str, rod: Rod, eta: float, tip_angle: float, tolerance: float) 
         if abs(step[0]) < limit and abs(step[1]) < limit * eta:
             return level, phi
     return None
+
+
+def second_order(rod: Rod) -> Callable[[float, Array], list[float]]:
+    """θ, h = ∂θ/∂φ, k = ∂θ/∂η, ∂h/∂φ and ∂h/∂η, each with its slope: they give the exact matrix of Newton's method."""
+    square = rod.length**2
+
+    def right_side(_: float, at: Array) -> list[float]:
+        angle = 2 * (at[0] - rod.field_angle)
+        rate, change, sine, cosine = stiffness(rod, at[0]), bend(rod, at[0]), np.sin(angle), np.cos(angle)
+        h, k = at[2], at[4]
+        second = (
+            couple(rod, at[0]),
+            rate * h,
+            rate * k + sine / 2,
+            rate * at[6] + change * h * h,
+            rate * at[8] + change * h * k + cosine * h,
+        )
+        return [part for slope, force in zip(at[1::2], second, strict=True) for part in (slope, square * force)]
+
+    return right_side
 
 
 TOLERANCES = (1e-3, 1e-6, 1e-9, 1e-12)
