@@ -10,7 +10,8 @@ from derive.measure.work.cells import ARTICLE, OURS
 from derive.measure.work.families import Record
 from derive.measure.work.fronts import comparable, front, point
 
-LEAST, MOST = 1e-18, 1.0  # errors beyond are in the tables: twins go on to hundreds of digits
+LEAST, MOST = 1e-36, 1.0  # errors beyond are in the tables: twins go on to hundreds of digits
+SPAN = 1e4  # of errors, at least: what differs by less is the last rounding
 MARKS = "sD^vPX<>ph*d"
 FRONT, QUIET = "#cccccc", "#777777"
 
@@ -42,8 +43,11 @@ def draw(axes: Any, records: Sequence[Record]) -> None:
     axes.set_xlabel(f"seconds a {first['unit']}")
     axes.set_ylabel("worst error")
     axes.set_title(f"{first['problem']}: {first['title']}", loc="left", fontsize=12)
+    low, high = axes.get_ylim()
+    axes.set_ylim(low / max(1.0, SPAN * low / high) ** 0.5, high * max(1.0, SPAN * low / high) ** 0.5)
     axes.grid(True, which="major", color="#e9e9e9", lw=0.6, zorder=-1)
-    axes.plot([], [], "o", color=QUIET, mfc="white", label="hollow: in part, or not all found")
+    if not all(map(comparable, shown)):
+        axes.plot([], [], "o", color=QUIET, mfc="white", label="hollow: in part, or not all found")
     axes.legend(fontsize=9, loc="upper left", bbox_to_anchor=(1.01, 1.0))
 
 
