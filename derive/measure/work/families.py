@@ -3,7 +3,7 @@
 A family is a module with
 
     PARTS               what --only calls its parts, with their titles
-    jobs(plan)          all its jobs for the parts that are wanted, in order; enumerating them must be cheap
+    jobs(plan)          all its jobs for the parts that are wanted, in order; what it computes is kept in plan.cache
     document(records)   its section of the tables, as lines of Markdown
     wrong(records)      a line for each record that is out of bounds, beginning with its key
 

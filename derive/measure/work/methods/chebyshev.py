@@ -133,7 +133,7 @@ METHODS = (
         settings=(8, 12, 16, 24, 32, 48),
         quick=(16, 32),
         spelled=by_number,
-        limit=lambda n: max(10 ** (-0.2 * n), 1e-9),  # geometric in n, down to some n⁴ roundings
+        limit=lambda n: max(10 ** (-0.1 * n), 1e-9),  # geometric in n, slow in long rods, down to some n⁴ roundings
         tasks=("T1", "T2", "T3", "T4", "T6"),
         fold=fold,
     ).method(),
