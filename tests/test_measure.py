@@ -51,7 +51,7 @@ def test_every_family_task_and_method_is_whole() -> None:
         assert callable(family.document)
         assert callable(family.wrong)
     assert set(TASKS) < set(parts())
-    assert all(module_of(task).TITLE and callable(module_of(task).problems) for task in TASKS)
+    assert all(module_of(task).TITLE and module_of(task).NOTE and callable(module_of(task).problems) for task in TASKS)
     names = [method.name for method in methods()]
     assert len(set(names)) == len(names)
 

@@ -33,7 +33,8 @@ def document(records: Sequence[Record]) -> list[str]:
     """A table for each problem, with what others do better; and who is missing."""
     lines = [tables.PREFACE, ""]
     for problem in dict.fromkeys(record["problem"] for record in records):
-        lines += [*tables.section([record for record in records if record["problem"] == problem]), ""]
+        rows = [record for record in records if record["problem"] == problem]
+        lines += [*tables.section(rows, module_of(rows[0]["task"]).NOTE), ""]
     return [*lines, *(f"- {line}" for line in left_out())]
 
 

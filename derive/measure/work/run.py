@@ -47,11 +47,6 @@ class Found:
         """Plain data."""
         return dict(vars(self))
 
-    @classmethod
-    def from_json(cls, data: dict[str, Any]) -> Found:
-        """The inverse of `to_json`; TypeError or KeyError for other data."""
-        return cls(data["about"], data["records"], data["failed"])
-
 
 def run(store: Store, plan: Plan, progress: Progress) -> Found:
     """Do what has no record; what breaks is named, and tried again by the next run."""

@@ -65,11 +65,11 @@ def shown_setting(record: Record) -> str:
     return f"{record['setting']}{part}{scaled}"
 
 
-def section(records: Sequence[Record]) -> list[str]:
-    """A problem: all methods, and what others do better."""
+def section(records: Sequence[Record], note: str) -> list[str]:
+    """A problem: who is given what, all methods, and what others do better."""
     title = f"## {records[0]['problem']}: {records[0]['title']}"
     best = {record["key"] for record in front(records)}
-    lines = [title, "", HEAD.format(unit=records[0]["unit"]), "|---" * 9 + "|"]
+    lines = [title, "", note, "", HEAD.format(unit=records[0]["unit"]), "|---" * 9 + "|"]
     for record in records:
         time, errors = record["seconds"], record["errors"]
         cells = (

@@ -1,4 +1,4 @@
-"""The tasks, a file for each: TITLE, and problems(plan), which makes the inputs, and the references to judge by.
+"""The tasks, a file for each: TITLE, NOTE (who is given what), and problems(plan): inputs, and references to judge by.
 
 A guess is what a user knows: the tip angle to one decimal, η at a fold to two digits. Methods that need none are given
 none. References are kept in the cache, for they cost most.

@@ -20,6 +20,7 @@ from derive.measure.work.families import Plan
 from derive.measure.work.tasks import SEED
 
 TITLE = "the article's second diagram"
+NOTE = "All equilibria of each rod; what goes rod by rod does a few rods from nine guesses, and its time is scaled."
 BETAS = (0.0, 1e-4, 2e-4, 2.5e-4, 3e-4, 3.5e-4, 4e-4, 5e-4)
 ETAS = np.arange(1, 1001) * 1e-6
 EACH = 3  # rods of each β have references

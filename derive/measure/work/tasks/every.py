@@ -12,6 +12,7 @@ from derive.measure.work.cells import Problem
 from derive.measure.work.families import Plan
 
 TITLE = "all equilibria"
+NOTE = "Ours needs no guess; the others get nine, up to three radians to both sides of the clamp angle."
 CASES = {
     "parallel": "force and field",
     "field_only": "no force",

@@ -16,6 +16,7 @@ from derive.measure.work.cells import Problem
 from derive.measure.work.families import Plan
 
 TITLE = "a fold"
+NOTE = "Ours is given a range of η and finds all folds in it; the others start from the fold itself, to two digits."
 BETAS = (3.5e-4, 3e-4, 2.5e-4)
 RANGE = (1e-4, 1.2e-3)  # of η
 

@@ -19,6 +19,7 @@ from derive.measure.work.cells import Problem
 from derive.measure.work.families import Plan
 
 TITLE = "forms of one formula"
+NOTE = "All forms are equal in exact arithmetic; what is told is what doubles lose."
 POINTS, QUICK_POINTS = 10_000, 100
 SAMPLE = 40
 TIP, CLAMP = 0.67, -0.7  # cos θ, as far as the article's rod goes

@@ -18,6 +18,7 @@ from derive.measure.work.judged import Errors
 from derive.measure.work.tasks import MOST_DIGITS, SEED
 
 TITLE = "on a real lattice"
+NOTE = "On the real axis, within two periods; what goes point by point does some of the points."
 FUNCTIONS = {"p": "℘", "zeta": "ζ", "sigma": "σ"}
 INVARIANTS = (1.3, 0.1)  # g₂, g₃: half-periods 1.67 and 1.84i
 POINTS, QUICK_POINTS = 1000, 48
