@@ -11,7 +11,7 @@ from derive.measure.work.families import Record
 from derive.measure.work.fronts import comparable, front, point
 
 LEAST, MOST = 1e-36, 1.0  # errors beyond are in the tables: twins go on to hundreds of digits
-SPAN = 1e4  # of errors, at least: what differs by less is the last rounding
+LEAST_SPANS = {"x": 10.0, "y": 1e4}  # of times and errors: what differs by less is noise, or the last rounding
 MARKS = "sD^vPX<>ph*d"
 FRONT, QUIET = "#cccccc", "#777777"
 
@@ -32,7 +32,7 @@ def draw(axes: Any, records: Sequence[Record]) -> None:
     shown = [record for record in records if in_sight(record)]
     if best := [(seconds, max(error, LEAST)) for seconds, error in map(point, front(shown))]:
         axes.step(*zip(*best, strict=True), where="post", color=FRONT, lw=7, zorder=0, label="front")
-        axes.plot(*zip(*best, strict=True), ".", color=FRONT, ms=7, zorder=0)
+        axes.plot(*zip(*best, strict=True), "o", color=FRONT, ms=14, zorder=0)
     for method, (colour, mark) in styles(records).items():
         lines(axes, [record for record in shown if record["method"] == method], method, colour, mark)
     for record in records:
@@ -43,12 +43,20 @@ def draw(axes: Any, records: Sequence[Record]) -> None:
     axes.set_xlabel(f"seconds a {first['unit']}")
     axes.set_ylabel("worst error")
     axes.set_title(f"{first['problem']}: {first['title']}", loc="left", fontsize=12)
-    low, high = axes.get_ylim()
-    axes.set_ylim(low / max(1.0, SPAN * low / high) ** 0.5, high * max(1.0, SPAN * low / high) ** 0.5)
+    widen(axes)
     axes.grid(True, which="major", color="#e9e9e9", lw=0.6, zorder=-1)
     if not all(map(comparable, shown)):
         axes.plot([], [], "o", color=QUIET, mfc="white", label="hollow: in part, or not all found")
     axes.legend(fontsize=9, loc="upper left", bbox_to_anchor=(1.01, 1.0))
+
+
+def widen(axes: Any) -> None:
+    """Give each axis its least span, and no labels between powers of ten, which may overlap."""
+    for name, span in LEAST_SPANS.items():
+        low, high = getattr(axes, f"get_{name}lim")()
+        more = max(1.0, span * low / high) ** 0.5
+        getattr(axes, f"set_{name}lim")(low / more, high * more)
+        getattr(axes, f"{name}axis").set_minor_formatter("")
 
 
 def in_sight(record: Record) -> bool:

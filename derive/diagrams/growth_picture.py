@@ -15,7 +15,7 @@ MARKS = "osD^vP"
 def pictures(records: Sequence[Record], kind: str) -> Iterator[tuple[str, bytes]]:
     """Names and bytes."""
     with settings(**{"font.size": 11}):
-        drawing = figure(figsize=(11.5, 4.4))
+        drawing = figure(figsize=(11.5, 5.8))
         left, right = drawing.subplots(1, 2)
         draw(left, records, "seconds", lambda record: record["seconds"]["median"], "time")
         kept = [record for record in records if record["bytes"]]
@@ -36,4 +36,4 @@ def draw(axes: Any, records: Sequence[Record], unit: str, value: Callable[[Recor
     axes.set_xlabel("amount: points, equilibria, digits, rods, formulas")
     axes.set_ylabel(unit)
     axes.grid(True, which="major", color="#e9e9e9", lw=0.6, zorder=-1)
-    axes.legend(fontsize=9, loc="upper left", bbox_to_anchor=(0.0, -0.16))
+    axes.legend(fontsize=9, loc="upper left", bbox_to_anchor=(0.0, -0.18))

@@ -25,7 +25,6 @@ from derive.measure.work.known import kept
 ROOT = Path(__file__).resolve().parents[3]
 SOURCES = (Path(__file__), ROOT / "theory", ROOT / "emit" / "printer.py")
 FORMS = ("factors", "expanded", "horner")
-SHOWN = {"factors": "in factors", "expanded": "expanded", "horner": "Horner's"}
 SAFE, LOSING = 1e-14, 1e3  # what is in factors keeps its digits; near a root the others lose all of theirs
 
 
@@ -72,25 +71,23 @@ def text() -> str:
     return ast.unparse(module) + "\n"
 
 
-def cells(problem: Problem, plan: Plan) -> Iterator[Cell]:
-    """f in factors, as modules have it, and the gap from roots: the base."""
+def cells(name: str, limit: float, problem: Problem, plan: Plan) -> Iterator[Cell]:
+    """f in one form, plain and with CSE."""
     if problem.id == "V-quartic":
-        yield Cell("in factors", evaluated(plan, "factors", problem), SAFE)
-    if problem.id == "V-gap":
-        yield Cell("from roots", evaluated(plan, "gap", problem, abs), SAFE)
+        yield Cell("plain", evaluated(plan, name, problem), limit)
+        yield Cell("CSE", evaluated(plan, f"{name}_cse", problem), limit)
 
 
-def variants(problem: Problem, plan: Plan) -> Iterator[Cell]:
-    """The other forms."""
-    if problem.id == "V-quartic":
-        for name in FORMS:
-            if name != "factors":
-                yield Cell(SHOWN[name], evaluated(plan, name, problem), LOSING)
-            yield Cell(
-                f"{SHOWN[name]}, CSE", evaluated(plan, f"{name}_cse", problem), SAFE if name == "factors" else LOSING
-            )
+def gap_cells(problem: Problem, plan: Plan) -> Iterator[Cell]:
+    """The gap, as modules have it."""
     if problem.id == "V-gap":
-        yield Cell("from g₂, g₃", partial(by_invariants, plan, problem), LOSING)
+        yield Cell("array", evaluated(plan, "gap", problem, abs), SAFE)
+
+
+def invariant_cells(problem: Problem, plan: Plan) -> Iterator[Cell]:
+    """The gap by the article's route, point by point."""
+    if problem.id == "V-gap":
+        yield Cell("point by point", partial(by_invariants, plan, problem), LOSING)
 
 
 def evaluated(plan: Plan, name: str, problem: Problem, then: Callable[[Any], Any] = np.asarray) -> Any:
@@ -121,4 +118,10 @@ def by_invariants(plan: Plan, problem: Problem) -> Callable[[], Any]:
     return lambda: [one(rest) for rest in minus.tolist()]
 
 
-METHODS = (Method("f, ℘ by roots", OURS, cells), Method("other forms", VARIANT, variants))
+METHODS = (
+    Method("f in factors", OURS, partial(cells, "factors", SAFE)),
+    Method("f expanded", VARIANT, partial(cells, "expanded", LOSING)),
+    Method("f by Horner's rule", VARIANT, partial(cells, "horner", LOSING)),
+    Method("gap by roots", OURS, gap_cells),
+    Method("gap by g₂, g₃", VARIANT, invariant_cells),
+)
