@@ -10,7 +10,7 @@ import json
 import sys
 from pathlib import Path
 
-from readme_tables import replace
+from verdict_tables import replace
 
 from derive.measure.work.tables import readme_rows
 

@@ -73,6 +73,18 @@ def test_errors_count_what_is_missing_and_what_is_none() -> None:
     assert shape.worst == pytest.approx(0.1)
 
 
+def test_what_is_no_number_is_not_found() -> None:
+    """Not an error of 0, whatever stands beside it."""
+    rod, nan = Rod(0.1, 0.2, 4.0, 1.0), float("nan")
+    found = judged.of_equilibria(
+        [[(1.0, nan, 3.0), (2.0, 1.0, nan)]], [rod], [[[mpf(1)] * 3, [mpf(2), mpf(1), mpf(1)]]], 30
+    )
+    assert (found.worst, found.found, found.of) == (None, 0, 2)
+    assert judged.of_shape([[nan], [1.0]], [[mpf(1)], [mpf(1)]], 2.0, 30) == judged.Errors(None, None, 0, 1)
+    assert judged.of_shape([[1.0, 1.0], [1.0, nan]], [[mpf(1)] * 2] * 2, 2.0, 30) == judged.Errors(0.0, 0.0, 1, 2)
+    assert judged.of_folds([(nan, 1.0)], [(mpf(1), mpf(1))], 30).found == 0
+
+
 @given(st.lists(st.tuples(st.floats(1e-9, 1e3), st.floats(0, 1)), min_size=1, max_size=30))
 def test_nothing_beats_the_front(points: list[tuple[float, float]]) -> None:
     records = [a_record(str(k), *point) for k, point in enumerate(points)]

@@ -2,12 +2,10 @@
 
 Emitted by `derive emit` from kernels/swing.py: do not edit, change that file.
 
-Digest of the inputs: sha256 6e8c160adce4f436cb806f20b4724d39822ec9ffaad0387ba534b751e632510c
+Digest of the inputs: sha256 c9629a25178698dbcbea205dce265d46303469a249ce71d8e031752fe7e33dc9
 """
 
 from __future__ import annotations
-
-from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import (
@@ -37,19 +35,7 @@ from derive.emit.kernels.formulas_each import (
     phase_sum_each,
     second_kind_step_each,
 )
-
-
-class PhaseEach(NamedTuple):
-    """Where on its half-swing the motion meets the clamp.
-
-    The length from the tip is ∫dψ/√(a² cos²ψ + b² sin²ψ) from 0 to ψ, with a and b half of ``end`` and ``middle``; the
-    half-swing ends at ψ = π/2. whole, delta: what the speed there follows from.
-    """
-
-    square: float  # sin²ψ
-    rest: float  # cos²ψ
-    whole: float
-    delta: float
+from derive.emit.kernels.swing import Phase
 
 
 def phase_of_each(motion):
@@ -69,13 +55,7 @@ def phase_of_each(motion):
     rest = each_pick(
         first, half_rest_each(end, size, delta), half_rest_beyond_each(end, motion.middle, square, size, delta)
     )
-    return PhaseEach(half, rest, whole, delta)
-
-
-def times_each(motion):
-    """Half-swing, and the length from the tip to the clamp."""
-    phase = phase_of_each(motion)
-    return lengths_each(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
+    return Phase(half, rest, whole, delta)
 
 
 def lengths_each(a, b, square, rest):

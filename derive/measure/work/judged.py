@@ -34,6 +34,11 @@ def collected(errors: Sequence[Any], of: int, spurious: int = 0) -> Errors:
     return Errors(max(good), median(good), len(good), of, spurious)
 
 
+def largest(errors: Sequence[Any]) -> Any:
+    """The largest, or nan where one is nan, which `max` would pass over."""
+    return mp.nan if any(mp.isnan(error) for error in errors) else max(errors)
+
+
 def of_equilibria(
     answers: Sequence[Sequence[Any]], rods: Sequence[Rod], wanted: Sequence[Sequence[Any]], digits: int
 ) -> Errors:
@@ -49,7 +54,7 @@ def of_equilibria(
                     continue
                 rest.remove(nearest)
                 triples = zip(nearest, known, sizes, strict=True)
-                errors.append(max(abs(mpf(a) - b) / size for a, b, size in triples if a is not None))
+                errors.append(largest([abs(mpf(a) - b) / size for a, b, size in triples if a is not None]))
             spurious += len(rest)
         return collected(errors, total, spurious)
 
@@ -71,7 +76,7 @@ def of_shape(answers: Sequence[Any], wanted: Sequence[Sequence[Any]], length: fl
             if found is None:
                 continue
             size = mpf(length) if number else mpf(1)
-            errors = [max(e, abs(mpf(a) - b) / size) for e, a, b in zip(errors, found, known, strict=True)]
+            errors = [largest([e, abs(mpf(a) - b) / size]) for e, a, b in zip(errors, found, known, strict=True)]
         return collected(errors, len(wanted[0]))
 
 
