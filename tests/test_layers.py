@@ -29,6 +29,7 @@ RANK = {
     "runner": 8,
     "pipeline": 9,
     "explain": 9,
+    "page_job": 10,
     "show": 10,
     "commands": 11,
     "commands_check": 12,

@@ -16,7 +16,7 @@ from derive.paper.ledger import load_ledger
 from derive.paper.printer import to_latex
 from derive.paper.reader import parse
 from derive.paper.symbolic import to_sympy
-from derive.report import derived, document, lines, text, tidy
+from derive.report import contents, derived, lines, text, tidy
 from derive.report.spell import Speller
 from derive.report.tidy import SpellError
 from derive.report.writer import Writer
@@ -173,7 +173,7 @@ def test_a_printed_formula_loses_what_is_no_formula() -> None:
 
 
 def test_every_section_has_a_title() -> None:
-    assert set(document.TITLES) == {str(record.scope) for record in LEDGER.values()}
+    assert set(contents.TITLES) == {str(record.scope) for record in LEDGER.values()}
 
 
 # The document.
