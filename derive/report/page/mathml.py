@@ -15,7 +15,7 @@ from derive.report.page.elements import element, letter, operator, row, scripted
 
 TOKEN = re.compile(r"\\[A-Za-z]+|\\.|\d+(?:\.\d+)?|\s+|.", re.DOTALL)
 LONGEST = 6_000  # characters of LaTeX that anybody would set
-DEEPEST = 60  # groups in one another
+DEEPEST = 60  # groups and arguments in one another
 ENDS = {"}", "&", r"\\", r"\end", r"\right"}  # a group, a cell, a bracket
 DEEPER, HIGHER = ("{", r"\begin", r"\left"), ("}", r"\end", r"\right")
 SIZED = r"\big)"  # what closes a bracket of a size, whichever
@@ -69,15 +69,11 @@ class Setter:
     def parts(self, closing: str = "") -> list[Markup]:
         """Factors up to the end of a group, a cell or a bracket, or to another token that closes them."""
         found, style = list[Markup](), self.style
-        self.depth += 1
-        if self.depth > DEEPEST:
-            raise UnsetError("too deep")
         while self.next() and self.next() not in ENDS and not self.at(closing):
             if self.next() == r"\rm":
                 self.style = sy.STYLES[self.take()[1:]]
             else:
                 found.append(self.factor())
-        self.depth -= 1
         self.style = style
         return found
 
@@ -104,13 +100,20 @@ class Setter:
         return self.base(token)
 
     def base(self, token: str) -> Markup:
-        """What a token begins."""
+        """What a token begins, however deep in others."""
+        self.depth += 1
+        if self.depth > DEEPEST:
+            raise UnsetError("too deep")
         if token == "{":
-            parts = self.parts()
+            found = row(self.parts())
             self.take("}")
-            return row(parts)
-        if token.startswith("\\"):
-            return self.command(token[1:])
+        else:
+            found = self.command(token[1:]) if token.startswith("\\") else self.character(token)
+        self.depth -= 1
+        return found
+
+    def character(self, token: str) -> Markup:
+        """A number, a letter or a sign."""
         if token[0].isdigit():
             return element("mn", token)
         if token.isalpha():

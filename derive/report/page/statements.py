@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import cache, partial
 from typing import Any
 
 import sympy as sp
@@ -43,6 +44,9 @@ class Printer(LatexPrinter):  # type: ignore[misc]
         return rf"{{{head}}}{power}\left( {arguments} \right)"
 
 
+PRINTER = Printer()
+
+
 def named(name: str) -> str:
     """A name of the theory as LaTeX: ``xi_tip`` by its letter, ``half_width`` as words."""
     base = name.split("_")[0]
@@ -54,7 +58,12 @@ def named(name: str) -> str:
 
 def latex(expression: Any) -> str:
     """An expression as LaTeX."""
-    return str(Printer().doprint(expression))
+    return _kept(expression) if isinstance(expression, sp.Basic) else str(PRINTER.doprint(expression))
+
+
+@cache
+def _kept(expression: Any) -> str:
+    return str(PRINTER.doprint(expression))
 
 
 def said(relation: Relation) -> str:
@@ -91,9 +100,9 @@ def plainly(relation: Relation) -> str:
     raise TypeError(f"no relation: {relation}")
 
 
-def formula(text: str, instead: Any) -> dict[str, str]:
+def formula(text: str, instead: Callable[[], Any]) -> dict[str, str]:
     """A formula as a record: LaTeX, or what stands for it as text if it is too long to be read."""
-    return {"latex": text, "text": ""} if len(text) <= LONGEST else {"latex": "", "text": str(instead)}
+    return {"latex": text, "text": ""} if len(text) <= LONGEST else {"latex": "", "text": str(instead())}
 
 
 def where(domain: Domain) -> Iterator[str]:
@@ -107,12 +116,14 @@ def where(domain: Domain) -> Iterator[str]:
 
 def claim_record(claim: Claim) -> dict[str, Any]:
     """What a claim says, as plain data."""
-    given = (formula(rf"{latex(old)} \mapsto {latex(new)}", f"{old} ↦ {new}") for old, new in claim.given)
+    given = (
+        formula(rf"{latex(old)} \mapsto {latex(new)}", partial("{} ↦ {}".format, old, new)) for old, new in claim.given
+    )
     return {
         "id": claim.id,
         "title": claim.title,
         "kind": type(claim.relation).__name__,
-        "statement": formula(said(claim.relation), plainly(claim.relation)),
+        "statement": formula(said(claim.relation), lambda: plainly(claim.relation)),
         "where": list(where(claim.domain)),
         "given": list(given),
         "steps": list(claim.steps),
@@ -124,7 +135,7 @@ def remark_record(remark: Remark) -> dict[str, Any]:
     """A line of prose, or a named expression, as plain data."""
     if remark.expression is None:
         return {"text": remark.text, "expression": None}
-    return {"text": remark.text, "expression": formula(latex(remark.expression), remark.expression)}
+    return {"text": remark.text, "expression": formula(latex(remark.expression), lambda: remark.expression)}
 
 
 def derivation(theory: Any, lines: list[Any]) -> dict[str, Any]:
@@ -139,7 +150,7 @@ def derivation(theory: Any, lines: list[Any]) -> dict[str, Any]:
             "claim": one.claim,
             "source": one.source,
             "arguments": [argument.name for argument in one.arguments],
-            "expression": formula(f"{named(one.name)} = {latex(one.expression)}", one.expression),
+            "expression": formula(f"{named(one.name)} = {latex(one.expression)}", partial(str, one.expression)),
         }
         for one in theory.formulas
     ]
