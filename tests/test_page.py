@@ -11,12 +11,16 @@ import pytest
 from jinja2 import UndefinedError
 from page_standin import HOSTILE, MODULE, ROOT, bare, findings, measured, whole
 
+from derive import page_job, pipeline
+from derive.cache import Cache
 from derive.emit.line_formulas import LineFormulas
 from derive.paper.ledger import load_ledger
 from derive.report.page import chart, document, modules
 from derive.report.page import measured as tables
 from derive.report.page.elements import CORE, element
 from derive.report.page.words import anchor
+from derive.resources import shipped_scenes
+from derive.runner import Runner
 
 VOID = {"meta", "input", "link", "img", "br"}
 KNOWN = {
@@ -231,3 +235,16 @@ def test_elements_have_their_parts() -> None:
         element("mfrac", "x")
     with pytest.raises(KeyError):
         element("script", "x")
+
+
+@pytest.mark.long
+def test_all_that_the_page_shows_is_gathered_by_the_job() -> None:
+    job, runner = pipeline.Job(), Runner(Cache(enabled=False), 1)
+    gathered = page_job.gather(runner, job, [shipped_scenes()["remote_control"]])
+    job.claims = list(findings().claims)
+    made = page_job.page_text(job, gathered)
+    for name in ("remote_control_numpy", "remote_control_mpmath"):
+        part = made.split(f'id="{anchor("module", name)}"')[1]
+        assert "decided by" in part
+        text = (ROOT / "generated" / f"{name}.py").read_text(encoding="utf-8")
+        assert part.count("\n") > len(text.splitlines())

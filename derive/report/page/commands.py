@@ -68,7 +68,8 @@ def _text(setter: Setter, name: str) -> Markup:
     said = setter.plain()
     if "\\" in said.replace(r"\_", ""):
         raise UnsetError(said)
-    return element("mtext", said.replace(r"\_", "_"))
+    around = space(sy.SPACES[","])  # so that words side by side, as factors, stay apart
+    return element("mrow", around, element("mtext", said.replace(r"\_", "_")), around)
 
 
 def _accent(setter: Setter, name: str) -> Markup:
