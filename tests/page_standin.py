@@ -26,6 +26,7 @@ def verdict(name: str, line: int, printed: str, number: int) -> dict[str, Any]:
     """A record as of `derive check --json`; verdicts take turns, and what is refuted has a counterexample."""
     said = list(VERDICTS)[number % len(VERDICTS)]
     refuted = said == "REFUTED"
+    printed = HOSTILE if said in ("UNREAD", "UNKNOWN") else printed
     one = {
         "printed": printed, "verdict": said, "method": f"method {number}", "reason": HOSTILE if refuted else "",
         "counterexample": {"beta": "1/3", HOSTILE: HOSTILE, "lhs": "1.0", "rhs": "-2e-7"} if refuted else None,
@@ -39,6 +40,7 @@ def findings() -> Findings:
     """What the page of the stand-in shows."""
     ledger = load_ledger()
     printed = [(one.id, one.line, one.latex) for one in (*ledger.values(), *load_claims().values())]
+    printed += [(f"{HOSTILE}{number}", 0, HOSTILE) for number in range(len(VERDICTS))]
     written = page_job.derivation()
     text = (ROOT / "generated" / f"{MODULE}.py").read_text(encoding="utf-8")
     known = [[one["name"], one["case"]] for one in written["formulas"]]

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from markupsafe import Markup
 
-WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 660, 300, 64, 12, 10, 40
+WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 660, 320, 64, 12, 26, 40
 LEGEND = 18  # height of a line
 LEAST = 1e-20  # smaller errors are drawn here
 COLOURS = 6  # in the style sheet, told apart by colour-blind readers
@@ -36,7 +36,7 @@ def chart(points: Sequence[Point], across: str, up: str) -> Markup:
     methods = list(dict.fromkeys(one.method for one in points))
     at_x = axis([one.seconds for one in points], LEFT, WIDTH - RIGHT)
     at_y = axis([max(one.error, LEAST) for one in points], HEIGHT - BOTTOM, TOP)
-    parts = [*grid(points, at_x, at_y), text(WIDTH / 2, HEIGHT - 4, across, "middle"), text(4, TOP + 8, up)]
+    parts = [*grid(points, at_x, at_y), text(WIDTH / 2, HEIGHT - 4, across, "middle"), text(4, 14, up)]
     for number, method in enumerate(methods):
         own = [one for one in points if one.method == method]
         parts += series(own, number, at_x, at_y)
