@@ -13,7 +13,8 @@ from derive.paper.ledger import load_ledger
 from derive.paper.text_claims import load_claims
 from derive.report import text as tex
 from derive.report.page.elements import CORE
-from derive.report.page.mathml import DEEPEST, Setter, UnsetError, mathml
+from derive.report.page.mathml import DEEPEST, Setter, mathml
+from derive.report.page.tokens import UnsetError
 
 PIECES = st.sampled_from(
     [

@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection
+from typing import TYPE_CHECKING
 
 from markupsafe import Markup
 
 from derive.report.page import symbols as sy
 from derive.report.page.elements import element, fence, fenced, letter, operator, row, scripted, space, table
-from derive.report.page.mathml import EMPTY, SIZED, Setter, UnsetError
+from derive.report.page.tokens import SIZED, UnsetError
 
-Way = Callable[[Setter, str], Markup]
+if TYPE_CHECKING:
+    from derive.report.page.mathml import Setter
+
+Way = Callable[["Setter", str], Markup]
 
 
 def _letter(setter: Setter, name: str) -> Markup:
@@ -114,7 +118,7 @@ def cells(setter: Setter) -> list[list[Markup]]:
         rows[-1].append(row(setter.parts()))
         token = setter.take()
         if token == r"\end":
-            return rows[:-1] if rows[-1] == [EMPTY] else rows
+            return rows[:-1] if rows[-1] == [element("mrow")] else rows
         if token == r"\\":
             rows.append([])
         elif token != "&":

@@ -7,6 +7,7 @@ from typing import Any
 
 from derive.report import contents as said
 from derive.report.contents import Derived, Record
+from derive.report.errata import errata
 from derive.report.page.words import Html, anchor
 
 WORDS = Html()
@@ -51,7 +52,7 @@ def entry(shown: Record, formula: Record, record: Record, derived: Derived) -> d
         "anchor": anchor(formula["id"]),
         "mark": MARKS[shown["verdict"]],
         "source": " ".join(str(formula["printed"]).split()),
-        "failures": list(said.errata(formula, derived, record, WORDS)),
+        "failures": list(errata(formula, derived, record, WORDS)),
         "search": " ".join((formula["id"], shown["method"], str(formula["printed"]))).lower(),
     }
 
