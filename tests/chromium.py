@@ -8,6 +8,7 @@ import os
 import select
 import shutil
 import subprocess
+import sys
 import time
 from pathlib import Path
 from types import TracebackType
@@ -20,6 +21,14 @@ OPTIONS = (
     "--force-color-profile=srgb",
 )  # fmt: skip
 SECONDS = 60  # for one answer
+# The browser reads from descriptor 3 and answers on 4; the pipes may have these numbers the other way round.
+STARTER = """
+import fcntl, os, sys
+read, write = (fcntl.fcntl(int(one), fcntl.F_DUPFD_CLOEXEC, 10) for one in sys.argv[1:3])
+os.dup2(read, 3)
+os.dup2(write, 4)
+os.execv(sys.argv[3], sys.argv[3:])
+"""
 
 
 def found() -> str | None:
@@ -35,9 +44,8 @@ class Chromium:
         assert program, "Chromium is not installed"
         to_read, self._write = os.pipe()
         self._read, to_write = os.pipe()
-        # The browser reads its commands from descriptor 3 and answers on descriptor 4.
-        handed = f'exec "$0" "$@" 3<&{to_read} 4>&{to_write}'
-        command = ["/bin/bash", "-c", handed, program, *OPTIONS, f"--user-data-dir={folder}", "about:blank"]
+        started = [sys.executable, "-c", STARTER, str(to_read), str(to_write)]
+        command = [*started, program, *OPTIONS, f"--user-data-dir={folder}", "about:blank"]
         quiet = subprocess.DEVNULL
         self._process = subprocess.Popen(command, pass_fds=(to_read, to_write), stdout=quiet, stderr=quiet, stdin=quiet)
         os.close(to_read)
@@ -45,6 +53,13 @@ class Chromium:
         self._buffer, self._number, self._session = b"", 0, ""
         self.complaints: list[str] = []
         self.requests: list[str] = []
+        try:
+            self._attach()
+        except BaseException:
+            self._process.kill()
+            raise
+
+    def _attach(self) -> None:
         target = self.ask("Target.createTarget", url="about:blank")["targetId"]
         self._session = self.ask("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
         for part in ("Page", "Runtime", "Log", "Network"):
