@@ -8,6 +8,7 @@ from typing import Any
 
 from derive import pipeline, stages
 from derive.grounds import GROUNDS
+from derive.paper.text_claims import load_claims
 from derive.runner import Runner
 from derive.stages import Task
 
@@ -52,12 +53,17 @@ def gather(runner: Runner, job: pipeline.Job, scenes: Sequence[Path]) -> dict[st
 
 
 def grounds(notebook: Sequence[Mapping[str, Any]]) -> dict[str, list[str]]:
-    """The claims behind each printed label: those that name it, else those on which it is said to rest."""
-    found: dict[str, list[str]] = {}
+    """The claims behind each printed label: those that name it, else those on which it is said to rest.
+
+    Behind a claim of the running text stand those of the display before it, as for `derive explain`.
+    """
+    found = {label: list(names) for label, names in GROUNDS.items()}
+    named: dict[str, list[str]] = {}
     for line in notebook:
         if line.get("source"):
-            found.setdefault(line["source"], []).append(line["id"])
-    return {**{label: list(names) for label, names in GROUNDS.items()}, **found}
+            named.setdefault(line["source"], []).append(line["id"])
+    found |= named
+    return found | {claim.id: found.get(claim.after, []) for claim in load_claims().values()}
 
 
 def page_text(

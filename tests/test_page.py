@@ -15,6 +15,7 @@ from derive import page_job, pipeline
 from derive.cache import Cache
 from derive.emit.line_formulas import LineFormulas
 from derive.paper.ledger import load_ledger
+from derive.paper.text_claims import load_claims
 from derive.report.page import chart, document, modules
 from derive.report.page import measured as tables
 from derive.report.page.elements import CORE, element
@@ -156,7 +157,8 @@ def test_every_formula_links_to_its_step_and_every_claim_to_those_below(page: Pa
 
 def test_printed_formulas_link_to_claims() -> None:
     grounds = findings().grounds
-    for name in load_ledger():
+    assert all(grounds.get(name) for name in load_ledger())
+    for name in (*load_ledger(), *load_claims()):
         part = within(whole(), anchor(name), "</article>")
         assert all(f'href="#{anchor("claim", one)}"' in part for one in grounds.get(name, ()))
 
