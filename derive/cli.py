@@ -68,6 +68,9 @@ def parser() -> argparse.ArgumentParser:
     add.add_argument("--paper", type=Path, metavar="FILE", help="judge a LaTeX source (needs --out)")
     add.add_argument("--mutants", type=Path, metavar="FILE", help="score of `derive check --mutants --json FILE`")
     add.add_argument("--measured", type=Path, metavar="FILE", help="errors and times of `derive measure --json FILE`")
+    add.add_argument(
+        "--no-page", action="store_true", help="only LaTeX and PDF: what the modules leave out takes minutes"
+    )
     add.add_argument("--pdf", action="store_true", help="fail where pdflatex is missing (else no PDF is written)")
     add.add_argument("--check", action="store_true", help="write nothing; exit 1 with a diff where the LaTeX drifts")
 

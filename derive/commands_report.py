@@ -31,7 +31,8 @@ def run_report(options: argparse.Namespace) -> int:
         raise MistakeError("--pdf needs pdflatex, which is not installed; leave it out for LaTeX and HTML alone")
     output.must_be_usable(folder)
     job = judged(options)
-    gathered = {} if options.check or not sound(job) else gather(options, job)
+    without_page = options.check or options.no_page
+    gathered = gather(options, job) if sound(job) and not without_page else {}
     if not sound(job):
         show.show_failures(show.console(stderr=True), job)
         print("derive report: not everything holds; nothing was written", file=sys.stderr)
@@ -42,7 +43,8 @@ def run_report(options: argparse.Namespace) -> int:
         drift = output.drift({path: text}, folder, complete=False)
         sys.stdout.writelines(drift)
     else:
-        write({path: text, folder / PAGE: page_job.page_text(job, gathered, mutants, timed)}, path, job)
+        page = {} if without_page else {folder / PAGE: page_job.page_text(job, gathered, mutants, timed)}
+        write({path: text, **page}, path, job)
     save(options.json, {**found(job), "drift": [one.rstrip("\n") for one in drift]})
     if drift:
         print(f"derive report: {path} differs from what is found; run 'derive report'", file=sys.stderr)

@@ -266,6 +266,12 @@ def test_the_report_is_written_and_compared(
     assert "run 'derive report'" in said.err
 
 
+def test_the_page_can_be_left_out(quick: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delattr(commands_report, "gather")  # nothing is asked of the modules
+    assert main(["report", "--out", str(tmp_path), "--no-page"]) == 0
+    assert [path.name for path in tmp_path.iterdir()] == ["paper_checks.tex"]
+
+
 def test_score_and_measurements_get_into_the_report(quick: None, tmp_path: Path) -> None:
     fates = {"killed": 7, "surviving": 0}
     data = {"score": {"counts": fates, "kinds": {"sign": fates}, "survivors": []}, "times": measured()}
