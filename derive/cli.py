@@ -63,13 +63,17 @@ def parser() -> argparse.ArgumentParser:
     )
 
     add = commands.add_parser(
-        "report", parents=[common], help="write what was found about the printed formulas, as LaTeX and PDF"
+        "report", parents=[common], help="write what was derived and found as one HTML page, and as LaTeX and PDF"
     )
     add.add_argument("--out", type=Path, metavar="DIR", help="folder for the report (default: generated)")
     add.add_argument("--paper", type=Path, metavar="FILE", help="judge a LaTeX source (needs --out)")
     add.add_argument("--mutants", type=Path, metavar="FILE", help="score of `derive check --mutants --json FILE`")
-    add.add_argument("--pdf", action="store_true", help="fail where pdflatex is missing (else only LaTeX is written)")
-    add.add_argument("--check", action="store_true", help="write nothing; exit 1 with a diff on drift")
+    add.add_argument("--measured", type=Path, metavar="FILE", help="errors and times of `derive measure --json FILE`")
+    add.add_argument(
+        "--no-page", action="store_true", help="only LaTeX and PDF: what the modules leave out takes minutes"
+    )
+    add.add_argument("--pdf", action="store_true", help="fail where pdflatex is missing (else no PDF is written)")
+    add.add_argument("--check", action="store_true", help="write nothing; exit 1 with a diff where the LaTeX drifts")
 
     add = commands.add_parser("explain", parents=[common], help="the chain from a formula back to the energy")
     add.add_argument(

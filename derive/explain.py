@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import re
 from collections.abc import Collection, Iterator, Mapping
 from difflib import get_close_matches
@@ -10,8 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from derive import stages
-from derive.emit.backends import EACH
-from derive.emit.scene import GENERAL_CASE
+from derive.emit.line_formulas import LineFormulas, load_case, stood_for
 from derive.grounds import GROUNDS
 from derive.paper.text_claims import load_claims
 
@@ -57,15 +55,6 @@ def explain(what: str, folder: Path) -> dict[str, Any]:
     }
 
 
-def stood_for(formulas: Collection[Any], names: Collection[str], case: str) -> list[Any]:
-    """The formulas that a module of a load case evaluates under some names: its own, or else those of any case."""
-    named = [f for f in formulas if f.name in names]
-    if not case:
-        return named
-    own = {f.name for f in named if f.case == case}
-    return [f for f in named if f.case == (case if f.name in own else GENERAL_CASE)]
-
-
 def beginnings(what: str, claims: Mapping[str, Any]) -> list[str]:
     """The claims of an id or of a printed label; of a claim of the running text, those of the display before it."""
     if what in load_claims():
@@ -101,55 +90,24 @@ def ordered(starts: list[str], claims: Mapping[str, Any]) -> list[str]:
 
 
 def formulas_at(path: Path, line: int, folder: Path, known: Collection[str]) -> tuple[set[str], str]:
-    """The formulas that stand behind a line of an emitted module, and the load case that its header names.
-
-    Within a formula's function, that formula; elsewhere those that the line calls, or else its function, or else
-    what the function reaches.
-    """
+    """The formulas that stand behind a line of an emitted module, and the load case that its header names."""
     if not path.suffix:
         path = path.with_suffix(".py")
     found = path if path.is_file() else folder / path.name
     try:
         text = found.read_text(encoding="utf-8")
-        tree = ast.parse(text)
+        module = LineFormulas(text, known)
     except (OSError, UnicodeDecodeError, SyntaxError) as error:
         reason = getattr(error, "strerror", None) or error
         raise NothingToExplainError(f"{path}: cannot be read as a module ({reason})") from error
-    functions = {node.name: node for node in tree.body if isinstance(node, ast.FunctionDef)}
-    here = next((node for node in functions.values() if covers(node, line)), None)
+    here = module.function(line)
     if here is None:
         length = len(text.splitlines())
         raise NothingToExplainError(f"{path}:{line} stands in no function (the file has {length} lines)")
-    case = re.search(r"^Load case: ([\w ]+)[.,]", text, re.MULTILINE)
-    known = {*known, *(name + EACH for name in known)}
-    names = {here.name} & known or called(here, line, functions, known)
+    names = module.at(line)
     if not names:
         raise NothingToExplainError(f"{path}:{line} stands in the function '{here.name}', which calls no formula")
-    return {name.removesuffix(EACH) for name in names}, case[1].replace(" ", "_") if case else ""
-
-
-def covers(node: ast.stmt, line: int) -> bool:
-    """True if the line is one of the node's."""
-    return node.lineno <= line <= (node.end_lineno or line)
-
-
-def called(here: ast.FunctionDef, line: int, functions: Mapping[str, ast.FunctionDef], known: set[str]) -> set[str]:
-    """The formulas that the innermost statement on a line names, or its function, or the functions it reaches."""
-    inside = [node for node in ast.walk(here) if isinstance(node, ast.stmt) and covers(node, line)]
-    statement = min(inside, key=lambda node: (node.end_lineno or line) - node.lineno)
-    reached: set[str] = set()
-    for node in (statement, here):
-        found = {part.id for part in ast.walk(node) if isinstance(part, ast.Name)}
-        if found & known:
-            return found & known
-        reached |= found & functions.keys()
-    waiting = list(reached)
-    while waiting:
-        parts = ast.walk(functions[waiting.pop()])
-        new = {part.id for part in parts if isinstance(part, ast.Name)} & functions.keys() - reached
-        reached |= new
-        waiting.extend(new - known)  # what a formula calls is no formula
-    return reached & known
+    return names, load_case(text)
 
 
 def lines(chain: Mapping[str, Any]) -> Iterator[str]:

@@ -23,7 +23,8 @@ PRINTED = (*CHECK, HERE / "paper")
 PAPER = (HERE / "paper",)
 # Decimal digits to which folded constants are handed to the references: more than any of them works with.
 EXACT = 120
-REPORT = (*PRINTED, HERE / "report")
+# The derived forms; how the page and the figures look does not change them.
+REPORT = (*PRINTED, *sorted((HERE / "report").glob("*.py")))
 EMIT = (*CHECK, HERE / "emit", HERE / "resources.py")
 REFERENCE = tuple(HERE / "measure" / f"{name}.py" for name in ("taylor", "reference", "scan", "rods"))
 FOLDS = (*REFERENCE, *(HERE / "measure" / f"{name}.py" for name in ("counts", "folds", "fold_references")))
@@ -260,4 +261,4 @@ def plain(record: Any) -> dict[str, Any]:
 
 def emission_paths() -> tuple[Path, ...]:
     """What an emitted module depends on besides its scene."""
-    return (*EMIT, templates_folder())
+    return (*EMIT, *sorted(templates_folder().glob("*.py.jinja")))

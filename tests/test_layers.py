@@ -30,6 +30,7 @@ RANK = {
     "pipeline": 9,
     "own_energy": 9,
     "explain": 9,
+    "page_job": 10,
     "show": 10,
     "commands": 11,
     "commands_check": 12,

@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 import sympy as sp
+from page_standin import measured
 
 from derive import commands_check, commands_report, pdf, pipeline, stages
 from derive.cli import main
@@ -16,7 +17,7 @@ from derive.paper.ledger import load_ledger
 from derive.paper.printer import to_latex
 from derive.paper.reader import parse
 from derive.paper.symbolic import to_sympy
-from derive.report import derived, document, lines, text, tidy
+from derive.report import contents, derived, lines, text, tidy
 from derive.report.spell import Speller
 from derive.report.tidy import SpellError
 from derive.report.writer import Writer
@@ -173,7 +174,7 @@ def test_a_printed_formula_loses_what_is_no_formula() -> None:
 
 
 def test_every_section_has_a_title() -> None:
-    assert set(document.TITLES) == {str(record.scope) for record in LEDGER.values()}
+    assert set(contents.TITLES) == {str(record.scope) for record in LEDGER.values()}
 
 
 # The document.
@@ -233,19 +234,28 @@ def test_the_document_compiles_without_warnings(job: pipeline.Job, tmp_path: Pat
 
 @pytest.fixture
 def quick(job: pipeline.Job, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Three formulas in the place of all."""
+    """Three formulas in the place of all, and no modules."""
     monkeypatch.setattr(commands_report, "judged", lambda options: job)
+    nothing: dict[str, Any] = {"lines": [], "evaluated": [], "grounds": {}}
+    monkeypatch.setattr(commands_report, "gather", lambda options, job: nothing)
     monkeypatch.setattr(pdf, "found", lambda: False)
 
 
-def test_the_report_is_written_and_compared(quick: None, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_report_is_written_and_compared(
+    quick: None, job: pipeline.Job, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     place, data = tmp_path / "report", tmp_path / "found.json"
     assert main(["report", "--out", str(place), "--check"]) == 1
     assert not place.exists()
     assert main(["report", "--out", str(place), "--json", str(data)]) == 0
-    assert [path.name for path in place.iterdir()] == ["paper_checks.tex"]
+    assert sorted(path.name for path in place.iterdir()) == ["paper_checks.tex", "report.html"]
+    assert "no PDF: pdflatex is not installed" in capsys.readouterr().out
     found: dict[str, Any] = json.loads(data.read_text())
     assert found["formulas"][0]["derived"][0]["forms"][0]["latex"].startswith("f ")
+    assert main(["report", "--out", str(place), "--check"]) == 0
+    page = (place / "report.html").read_text(encoding="utf-8")
+    assert page.count('<article class="item formula"') == len(job.printed)
+    (place / "report.html").unlink()  # what is not committed is not compared
     assert main(["report", "--out", str(place), "--check"]) == 0
     file = place / "paper_checks.tex"
     file.write_text(file.read_text().replace("REFUTED", "PROVED"))
@@ -254,6 +264,44 @@ def test_the_report_is_written_and_compared(quick: None, tmp_path: Path, capsys:
     said = capsys.readouterr()
     assert re.search(r"^-.*PROVED", said.out, re.MULTILINE)
     assert "run 'derive report'" in said.err
+
+
+def test_the_page_can_be_left_out(quick: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delattr(commands_report, "gather")  # nothing is asked of the modules
+    assert main(["report", "--out", str(tmp_path), "--no-page"]) == 0
+    assert [path.name for path in tmp_path.iterdir()] == ["paper_checks.tex"]
+
+
+def test_score_and_measurements_get_into_the_report(quick: None, tmp_path: Path) -> None:
+    fates = {"killed": 7, "surviving": 0}
+    data = {"score": {"counts": fates, "kinds": {"sign": fates}, "survivors": []}, "times": measured()}
+    for name, one in data.items():
+        (tmp_path / f"{name}.json").write_text(json.dumps(one))
+    given = ["--mutants", str(tmp_path / "score.json"), "--measured", str(tmp_path / "times.json")]
+    assert main(["report", "--out", str(tmp_path), *given]) == 0
+    assert "7 killed, 0 surviving" in (tmp_path / "paper_checks.tex").read_text(encoding="utf-8")
+    page = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert '<section id="mutants">' in page
+    assert '<section id="measured">' in page
+
+
+@pytest.mark.parametrize("data", ["[]", "{}", '{"about": {}, "records": {"tasks": [{}]}, "failed": {}}', "{"])
+def test_what_is_no_measurement_is_a_mistake(
+    quick: None, data: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "times.json").write_text(data)
+    assert main(["report", "--out", str(tmp_path / "report"), "--measured", str(tmp_path / "times.json")]) == 2
+    assert "no result of 'derive measure --json times.json'" in capsys.readouterr().err
+    assert not (tmp_path / "report").exists()
+
+
+def test_a_module_that_fails_writes_nothing(
+    quick: None, job: pipeline.Job, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(job, "modules", [{"name": "some", "failure": "does not read back"}])
+    assert main(["report", "--out", str(tmp_path / "report")]) == 1
+    assert not (tmp_path / "report").exists()
+    assert "does not read back" in capsys.readouterr().err
 
 
 def test_a_wrong_derived_form_writes_nothing(
@@ -271,6 +319,8 @@ def test_a_wrong_derived_form_writes_nothing(
         (["--paper", "some.tex"], "say with --out where"),
         (["--pdf"], "--pdf needs pdflatex"),
         (["--mutants", "nowhere.json"], "no result of 'derive check --mutants"),
+        (["--measured", "nowhere.json"], "no result of 'derive measure --json nowhere.json'"),
+        (["--measured", str(ROOT / "pyproject.toml")], "no result of 'derive measure"),
         (["--out", str(ROOT / "pyproject.toml")], "is no folder"),
     ],
 )

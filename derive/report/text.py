@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Iterator
 from fractions import Fraction
 
 # Characters that are no ASCII, as LaTeX for mathematics.
@@ -81,20 +82,23 @@ def _letter(word: str) -> str:
 
 def prose(said: str) -> str:
     """Text in which names of the theory, such as ``xi_tip``, and numbers with a minus are set as formulas."""
-    parts = re.split(
-        r"(\b[^\W\d_]+(?:_[A-Za-z0-9]+)+\b|(?<=[ =])-\d+\b|\b(?:" + "|".join(sorted(GREEK)) + r")\b)", said
-    )
-    return "".join(_named(part) if n % 2 else text(part) for n, part in enumerate(parts))
+    return "".join(f"${part}$" if formula else text(part) for formula, part in pieces(said))
 
 
-def _named(part: str) -> str:
+def pieces(said: str) -> Iterator[tuple[bool, str]]:
+    """Text in parts: whether one is a formula, and its LaTeX or its words."""
+    for n, part in enumerate(NAMES.split(said)):
+        yield _named(part) if n % 2 else (False, part)
+
+
+def _named(part: str) -> tuple[bool, str]:
     """A number or the name of a letter as a formula; names made of words as words."""
     base, _, script = part.partition("_")
     if part.startswith("-"):
-        return f"${part}$"
+        return True, part
     if base in MATHS:
-        return f"${MATHS[base]}_{{{symbol(script)}}}$"
-    return f"${symbol(part)}$" if base in GREEK or len(base) == 1 else text(part.replace("_", " "))
+        return True, f"{MATHS[base]}_{{{symbol(script)}}}"
+    return (True, symbol(part)) if base in GREEK or len(base) == 1 else (False, part.replace("_", " "))
 
 
 def number(said: str) -> str:
