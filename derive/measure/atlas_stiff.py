@@ -1,0 +1,124 @@
+"""Differential equation solvers beside ours on stiff rods: the stable equilibrium whose tip is nearest to the field.
+
+Set-up, as one who knows them would. `solve_bvp`: s over ℓ in [0, 1] and θ′ in units of 1/ℓ, so that all unknowns are
+of like size; analytic Jacobian; tolerance 1e-8, up to 100,000 nodes; started from the decay of the linear equation on
+nodes that are closer where the rod bends. `Radau`: shooting from the tip (backwards, as the tip's curvature is known)
+with rtol 1e-10, θ(ℓ) by brentq in its logarithm; the tip of a long rod is below every double, and the shot then fails.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import exp, log, sqrt
+from typing import Any
+
+import numpy as np
+
+from derive.measure.atlas_peers import PEERS, Peer, PeerError
+from derive.measure.reference import FRACTIONS, Rod
+
+TOLERANCE = 1e-8
+SHOT_TOLERANCE = 1e-10
+NODES = 100_000
+
+
+def loads_of(rod: Rod) -> tuple[float, float]:
+    """β and η in units of 1/ℓ²; PeerError unless the rod is of the kind that is started from its decay."""
+    if rod.field_angle or not abs(rod.clamp_angle) < 3 or not rod.clamp_angle:
+        raise PeerError("started only for a field along the force and a clamp off it by less than 3")
+    return rod.beta * rod.length**2, rod.eta * rod.length**2
+
+
+def bvp(rod: Rod, _: Any) -> Mapping[str, float]:
+    """By scipy.integrate.solve_bvp."""
+    from scipy.integrate import solve_bvp
+
+    beta, eta = loads_of(rod)
+    rate = sqrt(beta + eta)
+
+    def right(x: Any, v: Any) -> Any:
+        return np.vstack([v[1], beta * np.sin(v[0]) + eta / 2 * np.sin(2 * v[0]), np.cos(v[0]), np.sin(v[0])])
+
+    def jacobian(x: Any, v: Any) -> Any:
+        found = np.zeros((4, 4, x.size))
+        found[0, 1], found[1, 0] = 1, beta * np.cos(v[0]) + eta * np.cos(2 * v[0])
+        found[2, 0], found[3, 0] = -np.sin(v[0]), np.cos(v[0])
+        return found
+
+    def ends(left: Any, right: Any) -> Any:
+        return np.array([left[0] - rod.clamp_angle, right[1], left[2], left[3]])
+
+    def of_ends(left: Any, right: Any) -> Any:
+        clamp, tip = np.zeros((4, 4)), np.zeros((4, 4))
+        clamp[0, 0] = clamp[2, 2] = clamp[3, 3] = tip[1, 1] = 1
+        return clamp, tip
+
+    layer = min(1.0, 40 / rate)
+    x = np.unique(np.concatenate([np.linspace(0, layer, 200), np.linspace(layer, 1, 50)]))
+    decay = rod.clamp_angle * np.exp(-rate * x)
+    start = np.vstack([decay, -rate * decay, x, 0 * x])
+    found = solve_bvp(right, ends, x, start, fun_jac=jacobian, bc_jac=of_ends, tol=TOLERANCE, max_nodes=NODES)
+    if found.status:
+        raise PeerError(f"solve_bvp: {found.message}")
+    theta, _, y, z = found.sol(np.array([*FRACTIONS, 1.0]))
+    return named(theta, y * rod.length, z * rod.length)
+
+
+def shooting(rod: Rod, _: Any) -> Mapping[str, float]:
+    """By scipy.integrate.solve_ivp with Radau, from the tip."""
+    from scipy.integrate import solve_ivp
+    from scipy.optimize import brentq
+
+    beta, eta = loads_of(rod)
+    sign, rate = (1 if rod.clamp_angle > 0 else -1), sqrt(beta + eta)
+
+    def right(x: float, v: Any) -> Any:
+        return [v[1], beta * np.sin(v[0]) + eta / 2 * np.sin(2 * v[0]), np.cos(v[0]), np.sin(v[0])]
+
+    def jacobian(x: float, v: Any) -> Any:
+        found = np.zeros((4, 4))
+        found[0, 1], found[1, 0] = 1, beta * np.cos(v[0]) + eta * np.cos(2 * v[0])
+        found[2, 0], found[3, 0] = -np.sin(v[0]), np.cos(v[0])
+        return found
+
+    def shot(logarithm: float, stops: Any = None) -> Any:
+        def beyond(x: float, v: Any) -> float:
+            return float(abs(v[0]) - 3.5)
+
+        beyond.terminal = True  # type: ignore[attr-defined]
+        tip = exp(logarithm)
+        small = SHOT_TOLERANCE * np.array([tip, tip * rate, 1e-2, 1e-2])
+        options = {"rtol": SHOT_TOLERANCE, "atol": small, "jac": jacobian, "events": beyond}
+        return solve_ivp(right, (0, 1), [sign * tip, 0, 0, 0], "Radau", stops, **options)
+
+    def miss(logarithm: float) -> float:
+        found = shot(logarithm)
+        return float(abs(found.y[0, -1]) - abs(rod.clamp_angle))
+
+    high = log(abs(rod.clamp_angle))
+    low = high - rate - 3
+    if low < log(1e-290):
+        raise PeerError(f"shooting: the tip, about e^{low:.0f}, is below every double")
+    logarithm = brentq(miss, low, high, xtol=1e-13)
+    path = shot(logarithm, [0.0, *(1 - f for f in reversed(FRACTIONS)), 1.0])
+    if not path.success or path.y.shape[1] < len(FRACTIONS) + 2:
+        raise PeerError(f"shooting: {path.message}")
+    theta, _, y, z = path.y[:, ::-1]
+    y, z = (y[0] - y) * rod.length, (z[0] - z) * rod.length
+    return named(theta[1:], y[1:], z[1:])
+
+
+def named(theta: Any, y: Any, z: Any) -> dict[str, float]:
+    """Values at FRACTIONS and at the tip, by name."""
+    found = {"tip_angle": float(theta[-1]), "y": float(y[-1]), "z": float(z[-1])}
+    for k, fraction in enumerate(FRACTIONS):
+        found |= {f"theta({fraction}ℓ)": float(theta[k]), f"y({fraction}ℓ)": float(y[k])}
+        found |= {f"z({fraction}ℓ)": float(z[k])}
+    return found
+
+
+STIFF_PEERS = {
+    "solve_bvp": Peer("solve_bvp", f"solve_bvp, tolerance {TOLERANCE:.0e}", None, bvp),
+    "Radau": Peer("Radau", f"shooting by Radau, {SHOT_TOLERANCE:.0e}", None, shooting),
+}
+ALL_PEERS = {**PEERS, **STIFF_PEERS}
