@@ -20,6 +20,7 @@ from derive.measure.reference import Rod
 
 Array = NDArray[np.float64]
 MOST_STEPS = 40
+LEAST = 1e-300  # of 1 − m: the mean of 1 and 0 is none
 
 
 def by_ellipj(rod: Rod, tips: Array, sigma: Any) -> Array:
@@ -89,7 +90,8 @@ def _of_a_pair(u: Array, g2: Array, g3: Array) -> Array:
 
 def jacobi(u: Array, m: Array, rest: Array) -> tuple[Array, Array, Array]:
     """sn, cn, dn by the descending Landen transformation (Abramowitz and Stegun 16.4), with m and 1 − m."""
-    a, b = np.ones(np.shape(m)), np.sqrt(np.maximum(rest, 0))
+    rest = np.maximum(rest, LEAST)
+    a, b = np.ones(np.shape(m)), np.sqrt(rest)
     shares, scale = [], 1.0
     for _ in range(MOST_STEPS):
         shares.append((a - b) / (a + b))

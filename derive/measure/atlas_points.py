@@ -32,6 +32,7 @@ OURS = "ours"
 HALF = 2.0**26
 # Two equilibria are one tip to a peer if they are nearer than this.
 APART = 1e-3
+MOST_CONDITION = 1e300
 
 
 @dataclass
@@ -39,8 +40,8 @@ class Record:
     """What one solver does on one rod of a map.
 
     number: equilibria found. compared: of them, those with a reference. ulps, bounds: the worst error, None if there is
-    no value; quantity: whose. condition: that quantity's condition number over its natural size. formulas: which forms
-    were used, where the solver's answer tells. failures: "kind: what" each.
+    no value; quantity: whose. condition: the greatest condition number of what is compared, over its natural size; one
+    that bounds nothing (beyond 1e300) does not count. formulas: which forms were used, where the answer tells. failures: "kind: what" each.
     """
 
     map: str
@@ -76,7 +77,9 @@ class Record:
             if not isfinite(error):
                 self.fail("nan", f"{name} is {value}")
             elif self.bounds is None or bounds > self.bounds:
-                self.bounds, self.quantity, self.condition = bounds, quantity, sensitivity / size
+                self.bounds, self.quantity = bounds, quantity
+            if sensitivity / size < MOST_CONDITION:
+                self.condition = max(self.condition or 0.0, sensitivity / size)
             if isfinite(error):
                 self.ulps = max(self.ulps or 0.0, error / size)
 

@@ -3,7 +3,8 @@
 Set-up, as one who knows them would. `solve_bvp`: s over ℓ in [0, 1] and θ′ in units of 1/ℓ, so that all unknowns are
 of like size; analytic Jacobian; tolerance 1e-8, up to 100,000 nodes; started from the decay of the linear equation on
 nodes that are closer where the rod bends. `Radau`: shooting from the tip (backwards, as the tip's curvature is known)
-with rtol 1e-10, θ(ℓ) by brentq in its logarithm; the tip of a long rod is below every double, and the shot then fails.
+with rtol 1e-10, the logarithm of θ(ℓ) by brentq from the length at which the clamp angle is met; the tip of a long rod
+is below every double, and the shot then fails.
 """
 
 from __future__ import annotations
@@ -81,26 +82,27 @@ def shooting(rod: Rod, _: Any) -> Mapping[str, float]:
         found[2, 0], found[3, 0] = -np.sin(v[0]), np.cos(v[0])
         return found
 
-    def shot(logarithm: float, stops: Any = None) -> Any:
-        def beyond(x: float, v: Any) -> float:
-            return float(abs(v[0]) - 3.5)
+    def shot(logarithm: float, furthest: float, stops: Any = None) -> Any:
+        def arrives(x: float, v: Any) -> float:
+            return float(abs(v[0]) - abs(rod.clamp_angle))
 
-        beyond.terminal = True  # type: ignore[attr-defined]
+        arrives.terminal = stops is None  # type: ignore[attr-defined]
         tip = exp(logarithm)
         small = SHOT_TOLERANCE * np.array([tip, tip * rate, 1e-2, 1e-2])
-        options = {"rtol": SHOT_TOLERANCE, "atol": small, "jac": jacobian, "events": beyond}
-        return solve_ivp(right, (0, 1), [sign * tip, 0, 0, 0], "Radau", stops, **options)
+        options = {"rtol": SHOT_TOLERANCE, "atol": small, "jac": jacobian, "events": arrives}
+        return solve_ivp(right, (0, furthest), [sign * tip, 0, 0, 0], "Radau", stops, **options)
 
     def miss(logarithm: float) -> float:
-        found = shot(logarithm)
-        return float(abs(found.y[0, -1]) - abs(rod.clamp_angle))
+        # The length at which the clamp angle is met is all but linear in the logarithm of the tip.
+        found = shot(logarithm, 3.0)
+        return float(found.t_events[0][0] if found.t_events[0].size else 3.0) - 1
 
     high = log(abs(rod.clamp_angle))
     low = high - rate - 3
     if low < log(1e-290):
         raise PeerError(f"shooting: the tip, about e^{low:.0f}, is below every double")
-    logarithm = brentq(miss, low, high, xtol=1e-13)
-    path = shot(logarithm, [0.0, *(1 - f for f in reversed(FRACTIONS)), 1.0])
+    logarithm = brentq(miss, low, high, xtol=1e-12)
+    path = shot(logarithm, 1.0, [0.0, *(1 - f for f in reversed(FRACTIONS)), 1.0])
     if not path.success or path.y.shape[1] < len(FRACTIONS) + 2:
         raise PeerError(f"shooting: {path.message}")
     theta, _, y, z = path.y[:, ::-1]
