@@ -50,7 +50,7 @@ def test_suites_hold_what_they_must() -> None:
     assert max(scaled) == pytest.approx(1e4)
     with pytest.raises(ValueError, match="there are weak, clamps"):
         suite("soft", "parallel")
-    assert set(QUICK) | {"folds"} == set(SUITES)
+    assert set(QUICK) | {"folds", "atlas"} == set(SUITES)
 
 
 def test_a_rod_with_a_given_tip_has_it() -> None:

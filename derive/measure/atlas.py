@@ -117,7 +117,9 @@ def summary(data: dict[str, Any]) -> list[str]:
             kinds = [kind for one in of for kind in {failure.split(":")[0] for failure in one["failures"]}]
             named = ", ".join(f"{kind} {kinds.count(kind)}" for kind in sorted(set(kinds))) or "none"
             shown = [f"{value:.2g}" for value in (bounds[len(bounds) // 2], bounds[-1])] if bounds else ["–", "–"]
-            lines.append(f"| {chart['name']} | {solver} | {len(of)} | {' | '.join(shown)} | {ulps or 0:.2g} | {named} |")
+            lines.append(
+                f"| {chart['name']} | {solver} | {len(of)} | {' | '.join(shown)} | {ulps or 0:.2g} | {named} |"
+            )
     return lines
 
 

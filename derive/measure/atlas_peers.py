@@ -2,8 +2,9 @@
 
 Set-up of the two closed forms, as one who knows them would: tips are looked for within one turn of the clamp angle at
 4,000 equal steps, and from every direction of rest in steps of a fifth of a power of ten down to 1e-7 (m, or the
-discriminant, goes with the square of that distance, and is noise below), on both sides; every change of sign is settled by `scipy.optimize.brentq` to a rounding. y and z are Gauss–Legendre sums of cos θ and
-sin θ, 16 points a panel and a panel for each unit of ℓ√(β + η). The article's literal formulas take our tip and γ.
+discriminant, goes with the square of that distance, and is noise below), on both sides; every change of sign is settled
+by `scipy.optimize.brentq` to a rounding. y and z are Gauss–Legendre sums of cos θ and sin θ, 16 points a panel and a
+panel for each unit of ℓ√(β + η). The article's literal formulas take our tip and γ.
 """
 
 from __future__ import annotations

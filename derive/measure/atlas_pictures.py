@@ -30,6 +30,8 @@ SIGNS = (
 """Kind of failure, its sign, and what the legend says; the first that applies is drawn. Others are a diamond."""
 OTHER = ("D", "other failure")
 MOST_LABELS = 8
+# Told apart without colour vision (Okabe and Ito).
+COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
 
 
 def plotting() -> Any:
@@ -161,13 +163,15 @@ def label_axes(axis: Any, chart: dict[str, Any], title: str) -> None:
 def draw_line(pyplot: Any, chart: dict[str, Any], records: Sequence[dict[str, Any]]) -> Any:
     """A map of one row: error in bounds, and time, of every solver."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4), layout="constrained")
-    signs, at = "osv^Dx", [float(x) for x in chart["xs"]]
-    for sign, solver in zip(signs, [OURS, *chart["peers"]], strict=False):
+    at, solvers = [float(x) for x in chart["xs"]], [OURS, *chart["peers"]]
+    for sign, colour, solver in zip("osv^Dx", COLOURS, solvers, strict=False):
         of = {record["column"]: record for record in records if record["solver"] == solver}
         for axis, name in ((left, "bounds"), (right, "seconds")):
             known = [k for k in of if of[k][name] is not None and (name == "bounds" or of[k]["bounds"] is not None)]
             values = [max(of[k][name], 0.1 if name == "bounds" else 0) for k in known]
-            axis.plot([at[k] for k in known], values, marker=sign, ms=5, mfc="white", label=TITLES[solver])
+            axis.plot(
+                [at[k] for k in known], values, color=colour, marker=sign, ms=5, mfc="white", label=TITLES[solver]
+            )
     left.axhline(1, color="0.5", lw=0.8)
     left.set_ylabel("worst error in bounds")
     right.set_ylabel("seconds")

@@ -41,7 +41,8 @@ class Record:
 
     number: equilibria found. compared: of them, those with a reference. ulps, bounds: the worst error, None if there is
     no value; quantity: whose. condition: the greatest condition number of what is compared, over its natural size; one
-    that bounds nothing (beyond 1e300) does not count. formulas: which forms were used, where the answer tells. failures: "kind: what" each.
+    that bounds nothing (beyond 1e300) does not count. formulas: which forms were used, where the answer tells.
+    failures: "kind: what" each.
     """
 
     map: str
@@ -91,12 +92,11 @@ class Record:
 def measure_point(chart: Map, row: int, column: int, most: int) -> list[dict[str, Any]]:
     """Our module and all peers on one rod; at most so many of its equilibria are refined, evenly chosen."""
     rod, module = rod_at(chart, row, column), import_module(f"generated.{chart.case}_numpy")
-    start = {"map": chart.name, "row": row, "column": column, "rod": asdict(rod)}
-    ours = Record(**start, solver=OURS)
+    ours = Record(chart.name, row, column, asdict(rod), OURS)
     known, tips = our_module(ours, module, rod, chart, most)
     records = [ours]
     for name in chart.peers:
-        record = Record(**start, solver=name)
+        record = Record(chart.name, row, column, asdict(rod), name)
         began = time.perf_counter()
         try:
             with np.errstate(all="ignore"):  # what overflows shows in the answer

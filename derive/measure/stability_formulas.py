@@ -44,7 +44,7 @@ class Examined:
 
 @dataclass(frozen=True)
 class Finding:
-    """At one input: the loss in roundings of the result, the condition number, and loss/(operations·(1 + condition))."""
+    """At one input: loss in roundings of the result, condition number, excess = loss/(operations·(1 + condition))."""
 
     excess: float
     loss: float

@@ -132,6 +132,28 @@ def gammas(case: str) -> Iterator[Case]:
                 yield Case(name, "γ at an end of its range", with_tip(base, float(rest.angle) + apart))
 
 
+# β, η, length, clamp, field angle, and what the atlas saw there.
+ATLAS = (
+    (6.309573444801944, 1e4, 1.0, 3 * pi / 4, 0.0, "tips at the level of a ridge within rounding"),
+    (1.0, 1e4, 1.0, 3 * pi / 4, 0.0, "tips at the level of a ridge within rounding"),
+    (6.309573444801944, 1e4, 1.0, 3 * pi / 4, GENERIC, "tips at the level of a ridge within rounding"),
+    (1e4, 0.0039810717055349856, 1.0, 3 * pi / 4, 0.0, "a long rod, next to no field"),
+    (2.511886431509582e-06, 1e4, 1.0, 3 * pi / 4, 0.0, "a long rod, next to no force"),
+    (1e4, 1.5848931924611091e-09, 1.0, 3 * pi / 4, GENERIC, "a long rod, next to no field"),
+    (0.8, 0.2, 6.0, 3.1415926535897927, 0.0, "the clamp one rounding off the hill"),
+    (0.35, 0.5340101894795135, 7.0, 2.0, GENERIC, "1e-14 of η from a fold"),
+    (14.4, 21.6, 1.0, -1.3463968515384828, -0.2243994752564138, "the worst of all directions of clamp and field"),
+)
+
+
+def atlas(case: str) -> Iterator[Case]:
+    """The worst points of the atlas of extremes; those of a symmetric field in the case parallel, too."""
+    for *numbers, why in ATLAS if case in ("parallel", "oblique") else ():
+        rod = Rod(*(float(number) for number in numbers))
+        if case == "oblique" or not rod.field_angle:
+            yield Case(f"atlas {rod}", why, rod)
+
+
 SUITES: dict[str, Callable[[str], Iterator[Case]]] = {
     "weak": weak,
     "clamps": clamps,
@@ -140,6 +162,7 @@ SUITES: dict[str, Callable[[str], Iterator[Case]]] = {
     "folds": folds,
     "discriminants": discriminants,
     "gammas": gammas,
+    "atlas": atlas,
 }
 
 
