@@ -145,5 +145,5 @@ def test_mistakes_are_named(capsys: pytest.CaptureFixture[str]) -> None:
 def test_no_formula_loses_more_than_its_condition_number_explains() -> None:
     records = stability(rods=40)
     assert [one["name"] for one in records if one["defect"]] == []
-    # rest_drop is called by the search for folds alone.
+    # No kernel calls rest_drop; it is in no emitted module.
     assert {one["name"] for one in records if not one["heard"]} <= {"rest_drop"}
