@@ -173,7 +173,6 @@ def test_forms_are_told() -> None:
     assert evenly(["a"], 3) == ["a"]
 
 
-@pytest.mark.xfail(strict=True, reason="one of the equilibria at the level of a ridge is missing")
 @pytest.mark.parametrize("beta", [6.309573444801944, 1.0])
 def test_rods_at_the_level_of_a_ridge_have_an_odd_number(beta: float) -> None:
     found = parallel_numpy.equilibria(beta, 1e4, 1.0, 3 * pi / 4)

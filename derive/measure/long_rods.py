@@ -14,7 +14,7 @@ from typing import Any
 from mpmath import mp, mpf
 
 from derive.measure.chains import Chain, Guess, Node, Shot
-from derive.measure.reference import DIGITS, FRACTIONS, MOST_ROUNDS, NoEquilibriumError, Reference, Rod
+from derive.measure.reference import DIGITS, FRACTIONS, MOST_ROUNDS, NoEquilibriumError, Reference, Rod, along
 
 GUARD_DIGITS = 10
 FIRST_DIGITS = 24
@@ -119,6 +119,7 @@ def sensitivities(chain: Chain, nodes: Sequence[Node], fold: Any) -> dict[str, f
     """Σ|p ∂quantity/∂p| over the inputs, by differences at a fixed unknown, which then follows so that θ(0) is kept.
 
     At fixed s/ℓ the length does what β and η do together: ℓ∂_ℓ = 2(β∂_β + η∂_η) for angles; lengths are scaled besides.
+    The arc length s of a point is an input by itself, so what it does is taken off again, and counted apart.
     """
     extra = height_digits(chain, nodes)
     nudge, digits = mpf(NUDGE) * mpf(10) ** -extra, FIRST_DIGITS + extra
@@ -136,8 +137,10 @@ def sensitivities(chain: Chain, nodes: Sequence[Node], fold: Any) -> dict[str, f
             return dict.fromkeys((key for key in base if key != "clamp"), float("inf"))
         parts[name] = {key: (there[key] - base[key]) / nudge for key in base}
     units = {"y": 1, "z": 1, "clamp_curvature": -1, "curvature": -1, "energy": -1, "gamma": -2}
+    parts["s"] = along(chain.rod, base)
     parts["length"] = {
-        key: 2 * (parts["beta"][key] + parts["eta"][key]) + units.get(key.split("(")[0], 0) * base[key] for key in base
+        key: 2 * (parts["beta"][key] + parts["eta"][key]) + units.get(key.split("(")[0], 0) * base[key] - own
+        for key, own in parts["s"].items()
     }
     parts["clamp_angle"] = dict.fromkeys(base, mpf(0)) | {"clamp": -mpf(chain.rod.clamp_angle)}
     totals = dict.fromkeys(base, mpf(0))

@@ -146,15 +146,29 @@ def quantities(rod: Rod, path: Path) -> dict[str, Any]:
     return values
 
 
+def along(rod: Rod, values: Mapping[str, Any]) -> dict[str, Any]:
+    """s ∂quantity/∂s of what is asked for at s = fraction·ℓ; 0 of the others. By the equation of equilibrium."""
+    parts = dict.fromkeys(values, mpf(0))
+    for fraction in FRACTIONS:
+        s, theta = fraction * mpf(rod.length), values[f"theta({fraction}ℓ)"]
+        bend = rod.beta * mp.sin(theta) + mpf(rod.eta) / 2 * mp.sin(2 * (theta - mpf(rod.field_angle)))
+        slopes = {"theta": values[f"curvature({fraction}ℓ)"], "curvature": bend, "y": mp.cos(theta), "z": mp.sin(theta)}
+        parts |= {f"{name}({fraction}ℓ)": s * slope for name, slope in slopes.items()}
+    return parts
+
+
 def sensitivity(rod: Rod, tip: Any, digits: int = 24) -> dict[str, float]:
     """Σ|p ∂quantity/∂p| over the inputs of a rod, by differences of half the digits.
 
-    The tip is moved along so that θ(0) stays at the clamp.
+    The tip is moved along so that θ(0) stays at the clamp. The arc length s of a point is an input by itself: it is
+    rounded apart from ℓ, and ℓ∂_ℓ is at fixed s.
     """
     delta = mpf(10) ** -(digits // 2)
     with mp.workdps(working_digits(rod.beta, rod.eta, rod.length, digits)):
         base = walk(rod, tip, digits)
-        at, totals = quantities(rod, base), dict.fromkeys(quantities(rod, base), 0.0)
+        at = quantities(rod, base)
+        own = along(rod, at)
+        totals = {key: float(abs(part)) for key, part in own.items()}
         for name in ("beta", "eta", "length", "clamp_angle", "field_angle"):
             value = mpf(getattr(rod, name))
             if not value:
@@ -164,5 +178,7 @@ def sensitivity(rod: Rod, tip: Any, digits: int = 24) -> dict[str, float]:
             moved_tip = tip - (clamp.theta - base.clamp.theta - moved.clamp_angle + mpf(rod.clamp_angle)) / clamp.h
             there = quantities(moved, walk(moved, moved_tip, digits))
             for key in totals:
-                totals[key] += float(abs(there[key] - at[key]) / delta)
+                # The points move along with the end, as they are fractions of the length.
+                carried = own[key] if name == "length" else 0
+                totals[key] += float(abs((there[key] - at[key]) / delta - carried))
     return totals
