@@ -2,9 +2,10 @@
 
 They start from the half-angle quartic of ``oblique`` and need no load case. The scripts: ``swing_levels`` (θ″ and the
 potential V), ``swing_rest`` (the directions of equilibrium), ``swing_turns`` (two turning points), ``swing_rates`` (the
-length as a Legendre integral), ``swing_phase`` (its phase, and Gauss's step), ``swing_points`` (℘ at the tip),
-``swing_place`` and ``swing_angle`` (the same and θ by the phase), ``swing_along`` (integrals as claims), ``swing_arcs``
-(the position), ``swing_square`` and ``swing_energy`` (∫η cos²(θ − α), by R_D and by the phase).
+length as a Legendre integral), ``swing_phase`` (its phase, and Gauss's step), ``swing_before`` (the phase a length
+before a known one), ``swing_points`` (℘ at the tip), ``swing_place`` and ``swing_angle`` (the same and θ by the phase),
+``swing_along`` (integrals as claims), ``swing_arcs`` (the position), ``swing_square`` and ``swing_energy``
+(∫η cos²(θ − α), by R_D and by the phase).
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from sympy import expand
 from .claims import Formula, Notebook
 from .oblique import Oblique
 from .plane import Plane
+from .swing_before import write_before
 from .swing_angle import write_angle
 from .swing_arcs import write_arcs
 from .swing_energy import write_energy
@@ -58,6 +60,7 @@ def derive(plane: Plane, oblique: Oblique, book: Notebook) -> Swing | None:
     turns = write_turns(levels, writer)
     write_rates(writer)
     write_phase(writer)
+    write_before(writer)
     book.say("Any angle of the field. Points of the motion by ℘ at the tip")
     points = write_points(levels, turns, oblique.half, writer)
     place = write_place(writer)

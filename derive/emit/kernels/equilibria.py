@@ -41,7 +41,11 @@ class Rod:
 
 @dataclass(frozen=True, slots=True)
 class Swing:
-    """A half-swing of a bent rod, for its shape: how it was found, its length, and its arc. turns: of the clamp."""
+    """A half-swing of a bent rod, for its shape: how it was found, its length, and its arc. turns: of the clamp.
+
+    The clamp lies on the half-swing after ``whole`` of them, at the length ``arrival`` from where the motion is as at
+    the tip, of which ``regular`` is not straight, and at the phase ψ with sin²ψ = square and cos²ψ = rest.
+    """
 
     stay: Stay
     turns: int
@@ -49,6 +53,11 @@ class Swing:
     arc: Arc
     middle_angle: float
     far_angle: float
+    whole: int
+    arrival: float
+    regular: float
+    square: float
+    rest: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,7 +167,9 @@ def bent_rod(rod, turns, piece, crossing, index):
     gamma = 2 * beta * cos(motion.tip) + eta * aligned * aligned
     energy = gamma * length / 2 - 2 * beta * y - square
     scale = rod.scale
-    total = swing + stay.tip + stay.middle + stay.far
+    first = arrival + stay.tip + stay.arrival
+    # The length of the rod is better known than that of a half-swing.
+    half_swing = (length - sign * first) / both if both else swing + stay.tip + stay.middle + stay.far
     return Equilibrium(
         rod.side * (motion.tip + 2 * pi * turns),
         -rod.side * sign * ldexp(speed, scale),
@@ -168,7 +179,19 @@ def bent_rod(rod, turns, piece, crossing, index):
         ldexp(energy, scale),
         index,
         rod,
-        Swing(stay, turns, total, whole, basin.axis.angle, basin.far.angle),
+        Swing(
+            stay,
+            turns,
+            half_swing,
+            whole,
+            basin.axis.angle,
+            basin.far.angle,
+            both if sign > 0 else both - 1,
+            first,
+            arrival,
+            phase.square,
+            phase.rest,
+        ),
     )
 
 

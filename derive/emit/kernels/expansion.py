@@ -168,7 +168,7 @@ def angle_and_slope(rod, swing, length):
     here = min(before + max(moving - before - stay.middle, 0), regular)
     if here <= 0:
         return rod.side * (motion.tip + 2 * np.pi * swing.turns), 0.0
-    square, rest = phase_at(motion.end / 2, motion.middle / 2, here)
+    square, rest = phase_at(motion.end / 2, motion.middle / 2, here, regular - here)
     point, half, _ = point_at(motion, square, rest)
     cotangent = point.pole / point.strength
     slope = 4 * sqrt(point.one) * point.product / (point.strength * (1 + cotangent * cotangent))

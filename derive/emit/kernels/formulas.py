@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 94266abe88ffb121715d5a967e9a1c201bdee3317b17119f3495ed405e7a7c2b
+Digest of the inputs: sha256 c09c4c1aab307217debebc4dddd6267d2195e5201f2767b5890ce11a2024676f
 """
 
 from __future__ import annotations
@@ -204,6 +204,30 @@ def back_rest(first, second, gap, rest, below):
     Equation DLMF 19.8(iii); proved as swing.back_rest.
     """
     return rest * (4 * first * second + rest * gap * gap) / (below * below)
+
+
+def before_over(first, square, rest, by_delta):
+    """What the cosine of a difference of lengths is divided by; by_delta is Δ at the length taken off.
+
+    Equation DLMF 22.8(i); proved as swing.before_over.
+    """
+    return square * by_delta / first + first * rest / by_delta
+
+
+def before_cosine(first, square, rest, delta, by_square, by_rest, by_delta, over):
+    """cos ψ at the difference of two lengths from the tip.
+
+    Equation DLMF 22.8(i); proved as swing.before_cosine.
+    """
+    return (delta * sqrt(square * by_square) / first + first * sqrt(rest * by_rest) / by_delta) / over
+
+
+def before_sine(first, square, rest, delta, by_square, by_rest, by_delta, fall):
+    """sin ψ at the difference of two lengths from the tip, by the difference of their sin²ψ.
+
+    Equation DLMF 22.8(i); proved as swing.before_sine.
+    """
+    return first * fall / ((sqrt(square * by_rest) + delta * sqrt(rest * by_square) / by_delta) * by_delta)
 
 
 def strength(moment_there):

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from derive.emit.kernels.arcs import Arc, Point, arc_to
-from derive.emit.kernels.arithmetic import atan2, cos, floor, ldexp, pi, pick, sin, sqrt
+from derive.emit.kernels.arithmetic import atan2, cos, epsilon, floor, ldexp, pi, pick, sin, sqrt
 from derive.emit.kernels.formulas import (
+    before_cosine,
+    before_over,
+    before_sine,
     chi_cosine,
     chi_coversine,
     chi_rate,
@@ -28,6 +33,21 @@ from derive.emit.kernels.formulas import (
 from derive.emit.kernels.swing import phase_at
 
 
+class Station(NamedTuple):
+    """A point of the rod on its half-swing: lengths from the tip and from the far turning point.
+
+    whole: half-swings between the tip and the one it lies on, which is run through backwards where that is odd.
+    beside: the length from the clamp; away: 1 where the motion from the tip is beyond the clamp there, −1 where it is
+    before it, 0 where a turning point lies between.
+    """
+
+    whole: int
+    from_tip: float
+    from_far: float
+    beside: float
+    away: int
+
+
 def angle_and_position(equilibrium, s):
     """θ, θ′, y and z at an arc length s from the clamp."""
     rod, swing = equilibrium.rod, equilibrium.swing
@@ -36,47 +56,111 @@ def angle_and_position(equilibrium, s):
         share, left, bend = s / length, length - s, equilibrium.clamp_curvature
         angle = equilibrium.tip_angle - bend * left * (left / length) / 2
         return angle, bend * (left / length), equilibrium.y * share, equilibrium.z * share
-    sigma = rod.length - ldexp(s, rod.scale)
-    count = floor(sigma / swing.length)
-    within = sigma - count * swing.length
-    back = count % 2 == 1
-    angle, speed, arc = within_swing(rod, swing, swing.length - within if back else within)
-    times = count + 1 if back else count
+    station = station_of(rod, swing, ldexp(s, rod.scale))
+    back = station.whole % 2 == 1
+    angle, speed, arc = on_swing(rod, swing, station)
+    times = station.whole + 1 if back else station.whole
     sign = -1 if back else 1
     y = equilibrium.y - ldexp(times * swing.arc.y + sign * arc.y, -rod.scale)
     z = equilibrium.z - rod.side * ldexp(times * swing.arc.z + sign * arc.z, -rod.scale)
     return rod.side * (angle + 2 * pi * swing.turns), -rod.side * sign * ldexp(speed, rod.scale), y, z
 
 
-def within_swing(rod, swing, length):
-    """θ, dθ/dσ and the arc at a length from the tip within the first half-swing.
+def station_of(rod, swing, s):
+    """The point at a length from the clamp, measured from the nearer end of the rod.
 
-    Where the motion stays near its tip, its middle or its far turning point, the rod is straight.
+    The last digit of a long rod's length is many digits of θ where it bends beside the clamp.
     """
+    towards_tip = swing.whole % 2 == 0
+    ahead = swing.arrival if towards_tip else swing.length - swing.arrival
+    if 2 * s >= rod.length:
+        whole = floor((rod.length - s) / swing.length)
+        return station_at(swing, whole, whole % 2 == 0, rod.length - s - whole * swing.length, s, 0)
+    if s <= ahead:
+        return station_at(swing, swing.whole, towards_tip, ahead - s, s, -1 if towards_tip else 1)
+    turned = floor((s - ahead) / swing.length)
+    over = s - ahead - turned * swing.length
+    return station_at(swing, swing.whole - 1 - turned, towards_tip == (turned % 2 == 0), over, s, 0)
+
+
+def station_at(swing, whole, from_tip, length, beside, away):
+    """The station at a length from the tip, or from the far turning point."""
+    other = swing.length - length
+    near, far = (length, other) if from_tip else (other, length)
+    return Station(whole, near, far, beside, away)
+
+
+def on_swing(rod, swing, station):
+    """θ, dθ/dσ and the arc from the tip at a point of the first half-swing."""
     stay, motion = swing.stay, swing.stay.motion
     regular = swing.length - stay.tip - stay.middle - stay.far
-    tip = min(length, stay.tip)
-    rest = length - tip
-    before = min(rest, regular / 2) if stay.middle > 0 else min(rest, regular)
-    middle = min(rest - before, stay.middle)
-    here = min(before + max(rest - before - middle, 0), regular)
-    far = max(rest - middle - here, 0)
-    angle, speed, arc = regular_part(rod, motion, here)
+    tip, here, middle, far = parts(station.from_tip, stay.tip, regular, stay.middle)
+    _, left, _, _ = parts(station.from_far, stay.far, regular, stay.middle)
+    angle, speed, arc = regular_part(rod, swing, station, here, left)
     for straight, extent in ((motion.tip, tip), (swing.middle_angle, middle), (swing.far_angle, far)):
         if extent > 0:
             arc = Arc(arc.y + extent * cos(straight), arc.z + extent * sin(straight), arc.square)
     return angle, speed, arc
 
 
-def regular_part(rod, motion, length):
-    """θ, dθ/dσ and the arc by the motion alone."""
-    if length <= 0:
-        return motion.tip, 0 * length, Arc(0, 0, 0)
-    square, rest = phase_at(motion.end / 2, motion.middle / 2, length)
+def parts(length, stay, regular, middle_stay):
+    """A length from a turning point: straight there, of the motion itself, straight in its middle, and the rest.
+
+    Where the motion stays near its tip, its middle or its far turning point, the rod is straight.
+    """
+    first = min(length, stay)
+    rest = length - first
+    before = min(rest, regular / 2) if middle_stay > 0 else min(rest, regular)
+    middle = min(rest - before, middle_stay)
+    here = min(before + max(rest - before - middle, 0), regular)
+    return first, here, middle, max(rest - middle - here, 0)
+
+
+def regular_part(rod, swing, station, here, left):
+    """θ, dθ/dσ and the arc by the motion alone, at its lengths from the tip and from the far turning point."""
+    motion = swing.stay.motion
+    if here <= epsilon() * left:  # where the square of the phase may underflow
+        return motion.tip, 0 * here, Arc(0, 0, 0)
+    a, b = motion.end / 2, motion.middle / 2
+    if next_to_clamp(swing, station, here, left):
+        square, rest = phase_beside(a, b, swing.square, swing.rest, station, here + left)
+    else:
+        square, rest = phase_at(a, b, here, left)
     point, half, low = point_at(motion, square, rest)
-    arc = arc_to(rod.beta, rod.eta, rod.field_angle, motion, point, square, rest, length)
+    arc = arc_to(rod.beta, rod.eta, rod.field_angle, motion, point, square, rest, here)
     speed = point_speed(point.strength, low, point.one, point.product)
     return motion.tip + 2 * half, speed, arc
+
+
+def next_to_clamp(swing, station, here, left):
+    """Whether a point is nearer to the clamp than to the turning point ahead, with nothing straight between."""
+    stay = swing.stay
+    if station.away == 0 or station.beside > (left if station.away > 0 else here):
+        return False
+    middle = (here + left) / 2
+    same_half = (swing.regular - middle) * (here - middle) > 0 and stay.arrival in (0, stay.middle)
+    return stay.middle == 0 or same_half
+
+
+def phase_beside(a, b, square, rest, station, whole):
+    """sin²ψ and cos²ψ of a point beside the clamp by those of the clamp; whole: the length of the half-swing."""
+    length, back = station.beside, whole - station.beside
+    if station.away < 0:
+        return phase_before(a, b, square, rest, phase_at(a, b, length, back))
+    # Seen from the far turning point.
+    square, rest = phase_before(b, a, rest, square, phase_at(b, a, length, back))
+    return rest, square
+
+
+def phase_before(a, b, square, rest, by):
+    """sin²ψ and cos²ψ at a length before a known phase; by: those at the length itself."""
+    by_square, by_rest = by
+    delta, by_delta = phase_rate(a, b, square, rest), phase_rate(a, b, by_square, by_rest)
+    fall = square - by_square if square < rest else by_rest - rest
+    over = before_over(a, square, rest, by_delta)
+    sine = before_sine(a, square, rest, delta, by_square, by_rest, by_delta, fall)
+    cosine = before_cosine(a, square, rest, delta, by_square, by_rest, by_delta, over)
+    return sine * sine, cosine * cosine
 
 
 def point_at(motion, square, rest):

@@ -90,22 +90,22 @@ def second_kind(a, b, square, rest, arrival):
     return growth
 
 
-def phase_at(a, b, length):
-    """sin²ψ and cos²ψ at a length from the tip within the half-swing: the transformation undone."""
+def phase_at(a, b, length, left):
+    """sin²ψ and cos²ψ at lengths from the tip and from the half-swing's end: the transformation undone."""
     limit = 2 * epsilon() ** 0.5
     steps = [(a, b)]
     while any_of(abs(a - b) > limit * a):
         a, b = (a + b) / 2, sqrt(a * b)
         steps.append((a, b))
     a, b = (a + b) / 2, sqrt(a * b)
-    mean = (a + b) / 2
-    quarter = pi / (2 * mean)
-    first = 2 * length <= quarter
-    small = sin(mean * pick(first, length, quarter - length))
+    first = length <= left
+    small = sin((a + b) / 2 * pick(first, length, left))
     small = small * small
     square, rest = pick(first, small, 1 - small), pick(first, 1 - small, small)
     for a, b in reversed(steps):
         gap = a - b
         below = pick(gap > 0, back_below(a, b, square), back_below_rest(a, b, rest))
         square, rest = back_square(a, square, below), back_rest(a, b, gap, rest, below)
+        # The larger one is told best by the smaller one, and its rounding would double in each step.
+        square, rest = pick(rest < square, 1 - rest, square), pick(rest < square, rest, 1 - square)
     return square, rest

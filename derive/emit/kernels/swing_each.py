@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/swing.py: do not edit, change that file.
 
-Digest of the inputs: sha256 1ab6e1d742db2cc0bd87e8e687ad059e38168d239f12ffb37b1294f56becfe96
+Digest of the inputs: sha256 6e8c160adce4f436cb806f20b4724d39822ec9ffaad0387ba534b751e632510c
 """
 
 from __future__ import annotations
@@ -107,22 +107,22 @@ def second_kind_each(a, b, square, rest, arrival):
     return growth
 
 
-def phase_at_each(a, b, length):
-    """sin²ψ and cos²ψ at a length from the tip within the half-swing: the transformation undone."""
+def phase_at_each(a, b, length, left):
+    """sin²ψ and cos²ψ at lengths from the tip and from the half-swing's end: the transformation undone."""
     limit = 2 * epsilon() ** 0.5
     steps = [(a, b)]
     while any_of(each_abs(a - b) > limit * a):
         a, b = (a + b) / 2, each_sqrt(a * b)
         steps.append((a, b))
     a, b = (a + b) / 2, each_sqrt(a * b)
-    mean = (a + b) / 2
-    quarter = pi / (2 * mean)
-    first = 2 * length <= quarter
-    small = each_sin(mean * each_pick(first, length, quarter - length))
+    first = length <= left
+    small = each_sin((a + b) / 2 * each_pick(first, length, left))
     small = small * small
     square, rest = each_pick(first, small, 1 - small), each_pick(first, 1 - small, small)
     for a, b in reversed(steps):
         gap = a - b
         below = each_pick(gap > 0, back_below_each(a, b, square), back_below_rest_each(a, b, rest))
         square, rest = back_square_each(a, square, below), back_rest_each(a, b, gap, rest, below)
+        # The larger one is told best by the smaller one, and its rounding would double in each step.
+        square, rest = each_pick(rest < square, 1 - rest, square), each_pick(rest < square, rest, 1 - square)
     return square, rest
