@@ -17,9 +17,9 @@ from sympy import expand
 from .claims import Formula, Notebook
 from .oblique import Oblique
 from .plane import Plane
-from .swing_before import write_before
 from .swing_angle import write_angle
 from .swing_arcs import write_arcs
+from .swing_before import write_before
 from .swing_energy import write_energy
 from .swing_levels import Levels, write_levels
 from .swing_names import Writer

@@ -48,9 +48,7 @@ def write_before(writer: Writer) -> None:
     )
     cosine = cosine.subs(over, below)
     start = Equal(known(cosine).subs(by_square, 0), sqrt(1 - square))
-    writer.claim(
-        "before_nothing", "the phase itself where nothing is taken off", start, PHASES, steps=("before_cosine",)
-    )
+    writer.claim("before_nothing", "the phase itself, less nothing", start, PHASES, steps=("before_cosine",))
     writer.add(
         "before_sine",
         (first, square, rest, delta, by_square, by_rest, by_delta, fall),
