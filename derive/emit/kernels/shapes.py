@@ -73,7 +73,7 @@ def station_of(rod, swing, s):
     """
     towards_tip = swing.whole % 2 == 0
     ahead = swing.arrival if towards_tip else swing.length - swing.arrival
-    if 2 * s >= rod.length:
+    if s < 0 or 2 * s >= rod.length:  # series of bins begin before the clamp
         whole = floor((rod.length - s) / swing.length)
         return station_at(swing, whole, whole % 2 == 0, rod.length - s - whole * swing.length, s, 0)
     if s <= ahead:
