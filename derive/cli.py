@@ -83,7 +83,7 @@ def parser() -> argparse.ArgumentParser:
 
     add = commands.add_parser("measure", parents=[common], help="error against run time, for us and for others")
     add.add_argument("--quick", action="store_true", help="smaller runs, kept only with --out; times say little")
-    add.add_argument("--only", action="append", default=[], metavar="PART", help="T1 … T6, V, growth; may be repeated")
+    add.add_argument("--only", action="append", default=[], metavar="PART", help="T1 … V, growth, atlas, stability")
     add.add_argument("--out", type=Path, metavar="DIR", help="records to go on from, tables, pictures (measurements)")
 
     add = commands.add_parser("sweep", parents=[common], help="complete branches over one parameter", epilog=SWEEP)

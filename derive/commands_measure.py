@@ -34,7 +34,11 @@ from derive.stages import Task
 FOLDER = Path("measurements")
 KINDS = ("svg", "png")
 # What draws the records of a family: pictures(records, kind) gives names and bytes of files.
-PICTURES = {"tasks": "derive.diagrams.front_picture", "growth": "derive.diagrams.growth_picture"}
+PICTURES = {
+    "tasks": "derive.diagrams.front_picture",
+    "growth": "derive.diagrams.growth_picture",
+    "atlas": "derive.diagrams.atlas_picture",
+}
 LITERAL = '[scene]\nname = "literal"\ncase = "parallel"\noutputs = ["equilibria", "literal"]'
 INTERRUPTED = 130
 

@@ -5,7 +5,7 @@ A map is a grid of rods of one load case. Nothing is measured here; folds are fo
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import pi, sqrt
 
@@ -149,16 +149,6 @@ MAPS: dict[str, Callable[[int], Map]] = {
     "gamma": gamma_ends,
     "stiff": stiff,
 }
-
-
-def maps(names: Sequence[str], size: int) -> list[Map]:
-    """The maps of these names; ValueError names a strange one."""
-    strange = [name for name in names if name not in MAPS]
-    if strange:
-        raise ValueError(f"there is no map '{strange[0]}'; there are {', '.join(MAPS)}")
-    if size < 2:
-        raise ValueError(f"a map needs 2 rods a side at least (got {size})")
-    return [MAPS[name](size) for name in names]
 
 
 def rod_at(chart: Map, row: int, column: int) -> Rod:

@@ -8,7 +8,7 @@ digits by Taylor integration; a peer's rod is compared with the reference whose 
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from importlib import import_module
 from math import isfinite, sqrt
@@ -45,10 +45,6 @@ class Record:
     failures: "kind: what" each.
     """
 
-    map: str
-    row: int
-    column: int
-    rod: dict[str, float]
     solver: str
     number: int | None = None
     compared: int = 0
@@ -84,19 +80,20 @@ class Record:
             if isfinite(error):
                 self.ulps = max(self.ulps or 0.0, error / size)
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain data."""
-        return asdict(self)
+
+def places(chart: Map) -> Iterator[tuple[int, int]]:
+    """All rows and columns of a map."""
+    return ((row, column) for row in range(len(chart.rods)) for column in range(len(chart.rods[row])))
 
 
-def measure_point(chart: Map, row: int, column: int, most: int) -> list[dict[str, Any]]:
-    """Our module and all peers on one rod; at most so many of its equilibria are refined, evenly chosen."""
+def measure_point(chart: Map, row: int, column: int, most: int) -> dict[str, Any]:
+    """One rod of a map with what each solver does on it; at most so many equilibria are refined, evenly chosen."""
     rod, module = rod_at(chart, row, column), import_module(f"generated.{chart.case}_numpy")
-    ours = Record(chart.name, row, column, asdict(rod), OURS)
+    ours = Record(OURS)
     known, tips = our_module(ours, module, rod, chart, most)
     records = [ours]
     for name in chart.peers:
-        record = Record(chart.name, row, column, asdict(rod), name)
+        record = Record(name)
         began = time.perf_counter()
         try:
             with np.errstate(all="ignore"):  # what overflows shows in the answer
@@ -105,7 +102,17 @@ def measure_point(chart: Map, row: int, column: int, most: int) -> list[dict[str
             record.fail("no value", str(error))
         record.seconds = time.perf_counter() - began
         records.append(record)
-    return [record.to_json() for record in records]
+    return {
+        "map": chart.name,
+        "title": chart.title,
+        "labels": [chart.x_label, chart.y_label],
+        "shape": [len(chart.ys), len(chart.xs)],
+        "row": row,
+        "column": column,
+        "at": [chart.xs[column], chart.ys[row]],
+        "rod": asdict(rod),
+        "solvers": [asdict(record) for record in records],
+    }
 
 
 def our_module(

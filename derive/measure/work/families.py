@@ -27,6 +27,8 @@ Record = dict[str, Any]
 FAMILIES = {
     "tasks": "derive.measure.work.precision",
     "growth": "derive.measure.work.growth",
+    "atlas": "derive.measure.work.atlas",
+    "stability": "derive.measure.work.stability",
 }
 BUDGET, QUICK_BUDGET = 2.0, 0.02  # seconds for the times of one job, where they allow it
 
