@@ -2,26 +2,26 @@
 
 from __future__ import annotations
 
-import json
-from dataclasses import replace
+from dataclasses import asdict, replace
 from math import pi, sqrt
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 
+from derive.cache import Cache
 from derive.measure import atlas_points
-from derive.measure.atlas import atlas, beyond, main, summary
 from derive.measure.atlas_forms import by_ellipj, by_invariants, jacobi
-from derive.measure.atlas_maps import MAPS, Map, angles, gamma_ends, loads, maps, powers, stiff
+from derive.measure.atlas_maps import MAPS, Map, angles, gamma_ends, loads, powers, stiff
 from derive.measure.atlas_peers import PEERS
 from derive.measure.atlas_points import OURS, Record, evenly, formula_of, measure_point, peer
 from derive.measure.atlas_stiff import bvp, shooting
 from derive.measure.reference import Rod, solve
 from derive.measure.rods import PAPER
 from derive.measure.taylor import integrate
+from derive.measure.work import atlas
+from derive.measure.work.families import Plan
 from generated import oblique_numpy, parallel_numpy
 
 # Of the promised bound; more than 1 is known and reported, a wrong formula is far beyond this.
@@ -52,12 +52,13 @@ def test_tips_of_the_gamma_map_are_beside_rest() -> None:
     assert float(solve(rod, -0.1).values["tip_angle"]) == pytest.approx(-0.1, abs=1e-12)
 
 
-def test_strange_maps_are_refused() -> None:
-    with pytest.raises(ValueError, match="there is no map 'seas'; there are loads_parallel"):
-        maps(["seas"], 4)
-    with pytest.raises(ValueError, match="2 rods a side at least"):
-        maps(["angles"], 1)
-    assert set(MAPS) == {"loads_parallel", "loads_oblique", "angles", "folds", "gamma", "stiff"}
+def test_a_job_is_a_rod(monkeypatch: pytest.MonkeyPatch) -> None:
+    quick = list(atlas.jobs(Plan(Cache(enabled=False), quick=True)))
+    assert {job.key.split("/")[1] for job in quick} == set(atlas.QUICK) <= set(MAPS)
+    assert len({job.key for job in quick}) == len(quick) < 30
+    monkeypatch.setattr(atlas, "MAPS", {"tiny": lambda size: TINY})
+    whole = list(atlas.jobs(Plan(Cache(enabled=False))))
+    assert [job.key for job in whole] == ["atlas/tiny/0/0", "atlas/tiny/0/1"]
 
 
 # Peers
@@ -116,7 +117,7 @@ def test_peers_for_stiff_rods_solve_moderate_ones() -> None:
 
 
 def test_our_module_is_near_its_bound_on_the_article_s_rod() -> None:
-    ours, other = measure_point(TINY, 0, 0, 3)
+    ours, other = measure_point(TINY, 0, 0, 3)["solvers"]
     assert (ours["solver"], ours["number"], ours["compared"]) == (OURS, 3, 3)
     assert 0 < ours["bounds"] < BOUNDS
     assert 1 < ours["ulps"] < 1000
@@ -145,21 +146,24 @@ def test_what_fails_is_named(change: Any, words: str, monkeypatch: pytest.Monkey
         shape=parallel_numpy.shape,
     )
     monkeypatch.setattr(atlas_points, "import_module", lambda _: wrong)
-    ours = measure_point(replace(TINY, peers=()), 0, 0, 3)[0]
-    assert any(failure.startswith(words) for failure in ours["failures"])
-    assert beyond([ours]) == [ours]
+    record = {"key": "atlas/tiny/0/0", **measure_point(replace(TINY, peers=()), 0, 0, 3)}
+    assert any(failure.startswith(words) for failure in record["solvers"][0]["failures"])
+    (line,) = atlas.wrong([record])
+    assert line.startswith("atlas/tiny/0/0: ")
+    assert words in line
+    assert "beta=0.0" in line
 
 
 def test_what_a_peer_misses_is_named() -> None:
     ours = parallel_numpy.equilibria(PAPER.beta, PAPER.eta, PAPER.length, PAPER.clamp_angle)
     refined = atlas_points.reference(parallel_numpy, PAPER, ours[0])
-    known, record = [(ours[0], refined)], Record("tiny", 0, 0, {}, "ellipj")
+    known, record = [(ours[0], refined)], Record("ellipj")
     far = replace(PEERS["ellipj"], tips=lambda rod: [ours[2].tip_angle])
     peer(record, far, PAPER, known, [one.tip_angle for one in ours])
     assert record.failures[0] == "wrong number: 1 equilibria instead of 3"
     assert record.failures[1].startswith("missed: the equilibrium with tip angle 0.83")
     rough = replace(PEERS["ellipj"], tips=lambda rod: [ours[0].tip_angle + 1e-5])
-    record = Record("tiny", 0, 0, {}, "ellipj")
+    record = Record("ellipj")
     peer(record, rough, PAPER, known, None)
     assert record.failures[0].startswith("wrong digits: ")
 
@@ -179,57 +183,48 @@ def test_rods_at_the_level_of_a_ridge_have_an_odd_number(beta: float) -> None:
     assert all(one.index % 2 == k % 2 for k, one in enumerate(found))
 
 
-# The store
+# What is shown
 
 
-def test_a_run_goes_on_where_it_stopped(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(MAPS, "tiny", lambda size: TINY)
-    store, seen = tmp_path / "atlas.json", []
-    first = atlas(["tiny"], 2, most=1, store=store, progress=lambda *step: seen.append(step))
-    assert seen == [("tiny", 1, 2), ("tiny", 2, 2)]
-    data = json.loads(store.read_text(encoding="utf-8"))
-    assert data == json.loads(json.dumps(first))
-    data["records"] = data["records"][:2]
-    store.write_text(json.dumps(data), encoding="utf-8")
-    again = atlas(["tiny"], 2, most=1, store=store, progress=lambda *step: seen.append(step))
-    assert seen[2:] == [("tiny", 2, 2)]
-    assert [one["bounds"] for one in again["records"]] == [one["bounds"] for one in first["records"]]
-    moved = replace(TINY, rods=((PAPER, replace(PAPER, beta=1e-5)),))
-    monkeypatch.setitem(MAPS, "tiny", lambda size: moved)
-    atlas(["tiny"], 2, most=1, store=store, progress=lambda *step: seen.append(step))
-    assert seen[3:] == [("tiny", 2, 2)]
-    rows = summary(again)
-    assert len(rows) == 4
-    assert rows[2].startswith("| tiny | ours | 2 |")
-
-
-def test_a_store_of_another_kind_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    store = tmp_path / "other.json"
-    store.write_text("[1]", encoding="utf-8")
-    assert main(["angles", "--size", "2", "--store", str(store)]) == 2
-    assert "is no store of the atlas; name another file" in capsys.readouterr().err
-    assert main(["seas"]) == 2
-    assert "there is no map 'seas'" in capsys.readouterr().err
-
-
-def test_pictures_show_failures(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    pytest.importorskip("matplotlib")
-    from derive.measure.atlas_pictures import draw_atlas
-
-    square = replace(TINY, name="square", ys=("1", "2"), rods=(TINY.rods[0], TINY.rods[0]))
-    rod = dict(vars(PAPER))
+def made(name: str, shape: tuple[int, int], failures: list[list[str]]) -> list[dict[str, Any]]:
+    """Records of a map of which each rod fails in its own way, and errs more than the one before."""
     records = []
-    for name in ("square", "tiny"):
-        for k, failure in enumerate(([], ["no value: none"], ["wrong number: 1"], ["odd: it is"])):
-            for solver in (OURS, "ellipj"):
-                row, column = (k // 2, k % 2) if name == "square" else (0, k % 2)
-                one = Record(name, row, column, rod, solver, 3, 3, 1.0, 10.0**k, "y", 1.0, ["straight"], failure, 0.1)
-                records.append(one.to_json())
-    charts = [{**vars(chart), "rods": None} for chart in (square, TINY)]
-    paths = draw_atlas({"maps": charts, "records": records}, tmp_path)
-    assert [path.name for path in paths] == [
-        f"atlas_{name}.{kind}" for name in ("square", "tiny") for kind in ("png", "svg")
-    ]
-    first = [path.read_bytes() for path in paths]
-    draw_atlas({"maps": charts, "records": records}, tmp_path)
-    assert [path.read_bytes() for path in paths] == first
+    for k, failure in enumerate(failures):
+        row, column = divmod(k, shape[1])
+        solvers = [
+            asdict(Record(solver, 3, 3, 1.0, 10.0**k, "y", 1.0, ["straight"], failure, 0.1))
+            for solver in (OURS, "ellipj")
+        ]
+        about = {"key": f"atlas/{name}/{row}/{column}", "map": name, "title": name, "labels": ["β", "η"]}
+        place = {"shape": shape, "row": row, "column": column, "at": [f"{column + 1}", f"{row + 1}"]}
+        records.append({**about, **place, "rod": vars(PAPER), "solvers": solvers})
+    return records
+
+
+def test_tables_name_failures_and_rods_beyond_the_bound() -> None:
+    lines = atlas.document(made("tiny", (1, 3), [[], ["no value: none"], ["wrong number: 1", "wrong number: 2"]]))
+    assert "| tiny | ours | 3 | 10 | 1e+02 | 1 | no value 1, wrong number 1 |" in lines
+    assert "We err by more than the bound on 2 of 3 rods." in lines
+    assert lines[-2].startswith("- tiny: y errs by 1e+02 bounds; wrong number: 1; wrong number: 2 at beta=")
+
+
+def test_pictures_show_failures() -> None:
+    pytest.importorskip("matplotlib")
+    from derive.diagrams.atlas_picture import pictures
+
+    failures = [[], ["no value: none"], ["wrong number: 1"], ["odd: it is"]]
+    records = made("square", (2, 2), failures) + made("tiny", (1, 4), failures)
+    for kind in ("svg", "png"):
+        found = dict(pictures(records, kind))
+        assert list(found) == ["atlas-square", "atlas-tiny"]
+        assert found == dict(pictures(records, kind))
+    assert "wrong number of equilibria" in signs_of(records)
+
+
+def signs_of(records: list[dict[str, Any]]) -> set[str]:
+    """What the legend of a map says of failures."""
+    from derive.diagrams.atlas_picture import mark, of
+
+    shown: dict[str, str] = {}
+    mark(SimpleNamespace(plot=lambda *place, **style: None), of(records, OURS), shown)
+    return set(shown)

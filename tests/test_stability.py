@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
-import json
 import random
 from math import pi, sqrt
-from pathlib import Path
 from typing import Any
 
 import pytest
 import sympy as sp
 from mpmath import mp
 
+from derive.cache import Cache
 from derive.emit.kernels import formulas, swing
 from derive.measure.reference import Rod
-from derive.measure.stability import main, stability, table
+from derive.measure.stability import main, record_of, table, worst_input
 from derive.measure.stability_formulas import compiled, examine, examined, known_formulas, operations
 from derive.measure.stability_rods import Genes, drawn, heard_on, listening
 from derive.measure.stability_search import Boxes, over_arguments
+from derive.measure.work import stability
+from derive.measure.work.families import Plan
 
 ROD = Rod(0.5, 0.8, 5.0, 2.0, 0.3)
 
@@ -111,17 +112,26 @@ def test_climbing_finds_the_worst_of_free_arguments() -> None:
     assert 1e-12 <= found.arguments[0] <= 1e-9
 
 
-def test_the_search_comes_again_and_is_kept(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    file = tmp_path / "found.json"
-    assert main(["half_square", "--seed", "3", "--rods", "8", "--json", str(file)]) == 0
-    records = json.loads(file.read_text(encoding="utf-8"))
-    assert records == json.loads(json.dumps(stability(["half_square"], seed=3, rods=8)))
-    assert records[0]["called"]["excess"] < 1
-    assert records[0]["command"] == "python -m derive.measure.stability half_square --seed 3 --rods 8"
+def test_the_search_comes_again_by_the_command_it_prints(capsys: pytest.CaptureFixture[str]) -> None:
+    record = record_of("half_square", 3, 8)
+    assert record["called"]["excess"] < 1
+    python, dash, module, *rest = record["command"].split()
+    assert [python, dash, module] == ["python", "-m", "derive.measure.stability"]
+    assert main(rest) == 0
     text = capsys.readouterr().out
-    assert "again: python -m derive.measure.stability half_square --seed 3 --rods 8" in text
+    assert "\n".join(table([record])) in text
+    assert worst_input(record) in text
     assert "half_square(end=" in text
-    assert len(table(records)) == 3
+
+
+def test_a_part_of_measure_does_all_formulas() -> None:
+    jobs = list(stability.jobs(Plan(Cache(enabled=False), quick=True)))
+    assert [job.key for job in jobs] == [f"stability/{name}" for name in known_formulas()]
+    records = [{"key": job.key, **job.work()} for job in jobs if job.key.endswith("half_rest")]
+    assert not list(stability.wrong(records))
+    assert any("again: `python -m derive.measure.stability half_rest" in line for line in stability.document(records))
+    (line,) = stability.wrong([{**records[0], "defect": True}])
+    assert line.startswith("stability/half_rest: loses ")
 
 
 def test_a_defect_in_the_kernels_is_found(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
@@ -143,7 +153,7 @@ def test_mistakes_are_named(capsys: pytest.CaptureFixture[str]) -> None:
 
 @pytest.mark.long
 def test_no_formula_loses_more_than_its_condition_number_explains() -> None:
-    records = stability(rods=40)
+    records = [record_of(name, 1, 40) for name in known_formulas()]
     assert [one["name"] for one in records if one["defect"]] == []
     # No kernel calls rest_drop; it is in no emitted module.
     assert {one["name"] for one in records if not one["heard"]} <= {"rest_drop"}
