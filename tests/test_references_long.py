@@ -32,6 +32,17 @@ SOME = [
 ]
 
 
+def test_the_conditioning_of_a_rod_next_to_straight_is_seen() -> None:
+    # The clamp is an ulp from upside down: the rod bends by some 1e-14, in proportion to that.
+    rod = Rod(0.8, 0.2, 6.0, 3.1415926535897927)
+    straight = parallel_numpy.equilibria(rod.beta, rod.eta, rod.length, rod.clamp_angle)[1]
+    known = refine(rod, drawn(parallel_numpy, straight, rod.length)).reference
+    plain = solve(rod, straight.tip_angle)
+    for name in ("tip_angle", "z", "z(0.5ℓ)", "theta(0.75ℓ)"):
+        assert known.sensitivity[name] == pytest.approx(plain.sensitivity[name], rel=1e-6)
+    assert known.sensitivity["z"] > 50
+
+
 def drawn(module: Any, equilibrium: Any, length: float) -> Guess:
     def at(s: Any) -> tuple[Any, Any]:
         shape = module.shape(equilibrium, np.minimum(s, length))

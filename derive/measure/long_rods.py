@@ -82,7 +82,7 @@ def result(chain: Chain, shot: Shot, sizes: Sequence[float]) -> Refined:
     tip = shot.nodes[0]
     fold = shot.slope if chain.direct else -shot.slope * chain.moment(tip)
     drawn = profile(chain, shot)
-    reference = Reference(chain.rod, shot.index, quantities(chain.rod, drawn), sensitivities(chain, shot.nodes, fold))
+    reference = Reference(chain.rod, shot.index, quantities(chain.rod, drawn), sensitivities(chain, shot, fold))
     arc, theta, curvature, y, z, _ = (tuple(column) for column in zip(*drawn, strict=True))
     rest = +chain.rests[tip.base].angle
     return Refined(reference, rest, tip.delta, fold, shot.correction, tuple(sizes), arc, theta, curvature, y, z)
@@ -115,14 +115,17 @@ def quantities(rod: Rod, drawn: Sequence[tuple[Any, ...]]) -> dict[str, Any]:
     return values
 
 
-def sensitivities(chain: Chain, nodes: Sequence[Node], fold: Any) -> dict[str, float]:
+def sensitivities(chain: Chain, shot: Shot, fold: Any) -> dict[str, float]:
     """Σ|p ∂quantity/∂p| over the inputs, by differences at a fixed unknown, which then follows so that θ(0) is kept.
 
     At fixed s/ℓ the length does what β and η do together: ℓ∂_ℓ = 2(β∂_β + η∂_η) for angles; lengths are scaled besides.
     The arc length s of a point is an input by itself, so what it does is taken off again, and counted apart.
     """
-    extra = height_digits(chain, nodes)
-    nudge, digits = mpf(NUDGE) * mpf(10) ** -extra, FIRST_DIGITS + extra
+    extra = height_digits(chain, shot.nodes)
+    # A rod that is next to straight moves as little as its tip or θ(0) does, and must show it.
+    move = float(abs(chain.unknown if chain.direct else shot.slope * chain.unknown))
+    little = ceil(min(MOST_EXTRA, max(0.0, -log10(move or 1e-300))))
+    nudge, digits = mpf(NUDGE) * mpf(10) ** -extra, FIRST_DIGITS + extra + little
     base = responses(chain, digits)
     push = nudge * abs(chain.unknown or 1 / max(1, abs(fold))) if chain.direct else nudge
     freely = responses(chain.moved(push), digits)
