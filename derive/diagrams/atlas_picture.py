@@ -132,6 +132,9 @@ def draw_line(records: Sequence[Record]) -> Any:
     """A map of one row: error in bounds, and time, of every solver."""
     drawing = figure(figsize=(10, 4), layout="constrained")
     left, right = drawing.subplots(1, 2)
+    for axis in (left, right):
+        axis.set(xscale="log", yscale="log", xlabel=records[0]["labels"][0])
+        axis.grid(alpha=0.3)
     solvers = [one["solver"] for one in records[0]["solvers"]]
     for sign, colour, solver in zip("osv^Dx", COLOURS, solvers, strict=False):
         known = [(float(r["at"][0]), one) for r, one in of(records, solver) if one["bounds"] is not None]
@@ -142,9 +145,6 @@ def draw_line(records: Sequence[Record]) -> Any:
     left.axhline(1, color="0.5", lw=0.8)
     left.set_ylabel("worst error in bounds")
     right.set_ylabel("seconds")
-    for axis in (left, right):
-        axis.set(xscale="log", yscale="log", xlabel=records[0]["labels"][0])
-        axis.grid(alpha=0.3)
     right.legend(fontsize=7)
     drawing.suptitle(records[0]["title"] + "; a line that ends has no values beyond")
     return drawing
