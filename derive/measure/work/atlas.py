@@ -16,8 +16,8 @@ PARTS = {"atlas": "errors at the extremes, ours beside what people use today"}
 SIZE, MOST = 6, 3  # rods a side of a map, and equilibria of a rod that are refined
 # What a quick run takes: maps that are made at once, one equilibrium of each rod.
 QUICK = {"loads_parallel": 3, "angles": 2, "stiff": 3}
-# In bounds. Energies are sums of terms some times their natural size, and places of their parts, by so many roundings.
-LIMIT = 2.5
+# In bounds. Places and energies are known to err by up to 3, beside folds of inclined fields; more is a new defect.
+LIMIT = 4.0
 
 
 def jobs(plan: Plan) -> Iterator[Job]:
