@@ -61,7 +61,7 @@ def test_lengths_and_phases(exponent, part, swapped):
         whole, length = lengths(a, b, float(sine), float(1 - sine))
         exact = mp.ellipf(mp.pi * part / 2, 1 - (mp.mpf(b) / a) ** 2) / a
         assert relative(length, exact) < 16 * ULP * max(1, 1 / part) * max(1, 1 / (1 - part))
-    square, rest = phase_at(a, b, length)
+    square, rest = phase_at(a, b, length, whole - length)
     again = lengths(a, b, square, rest)[1]
     assert abs(again - length) < 64 * ULP * whole
 
