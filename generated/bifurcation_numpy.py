@@ -23,7 +23,7 @@ Formulas, each proved equal to its derivation:
     rj_delta_real_each (DLMF 19.26(iii)), second_kind_step (DLMF 19.8.19), second_kind_step_each (DLMF 19.8.19),
     strength (exsl17), strength_each (exsl17), tip_cubic, tip_cubic_each, w_imag (DLMF 19.29(ii)),
     w_imag_each (DLMF 19.29(ii)), w_real (DLMF 19.29(ii)), w_real_each (DLMF 19.29(ii))
-Digest of the inputs: sha256 81f82c37ce0761828d334f3bf20ab2e805d585d0ba51c224e84daff5bd506986
+Digest of the inputs: sha256 0ef84e07392d3ccfc31e74f41fd5ac269b4ba0d9e2ccce1ba677faf891e75920
 """
 
 from __future__ import annotations
@@ -873,7 +873,11 @@ class Arc(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Swing:
-    """A half-swing of a bent rod, for its shape: how it was found, its length, and its arc. turns: of the clamp."""
+    """A half-swing of a bent rod, for its shape: how it was found, its length, and its arc. turns: of the clamp.
+
+    The clamp lies on the half-swing after ``whole`` of them, at the length ``arrival`` from where the motion is as at
+    the tip, of which ``regular`` is not straight, and at the phase ψ with sin²ψ = square and cos²ψ = rest.
+    """
 
     stay: Stay
     turns: int
@@ -881,6 +885,11 @@ class Swing:
     arc: Arc
     middle_angle: float
     far_angle: float
+    whole: int
+    arrival: float
+    regular: float
+    square: float
+    rest: float
 
 
 def not_negative(name: str, value: object) -> float:
@@ -2012,7 +2021,9 @@ def bent_rod(rod, turns, piece, crossing, index):
     gamma = 2 * beta * cos(motion.tip) + eta * aligned * aligned
     energy = gamma * length / 2 - 2 * beta * y - square
     scale = rod.scale
-    total = swing + stay.tip + stay.middle + stay.far
+    first = arrival + stay.tip + stay.arrival
+    # The length of the rod is better known than that of a half-swing.
+    half_swing = (length - sign * first) / both if both else swing + stay.tip + stay.middle + stay.far
     return Equilibrium(
         rod.side * (motion.tip + 2 * pi * turns),
         -rod.side * sign * ldexp(speed, scale),
@@ -2022,7 +2033,19 @@ def bent_rod(rod, turns, piece, crossing, index):
         ldexp(energy, scale),
         index,
         rod,
-        Swing(stay, turns, total, whole, basin.axis.angle, basin.far.angle),
+        Swing(
+            stay,
+            turns,
+            half_swing,
+            whole,
+            basin.axis.angle,
+            basin.far.angle,
+            both if sign > 0 else both - 1,
+            first,
+            arrival,
+            phase.square,
+            phase.rest,
+        ),
     )
 
 

@@ -23,7 +23,7 @@ Formulas, each proved equal to its derivation:
     rj_delta_real_each (DLMF 19.26(iii)), second_kind_step (DLMF 19.8.19), second_kind_step_each (DLMF 19.8.19),
     strength (exsl17), strength_each (exsl17), tip_cubic, tip_cubic_each, w_imag (DLMF 19.29(ii)),
     w_imag_each (DLMF 19.29(ii)), w_real (DLMF 19.29(ii)), w_real_each (DLMF 19.29(ii))
-Digest of the inputs: sha256 2aa5b25752003d3294646b5ef2ca36bd777a3caedb025ea3d2e6d2d37f66d59e
+Digest of the inputs: sha256 1b6b5de05c50e517caf90e414d74fbef5500aef8ba7a832c342676787aa2fc4e
 """
 
 from __future__ import annotations
@@ -849,7 +849,11 @@ class Arc(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Swing:
-    """A half-swing of a bent rod, for its shape: how it was found, its length, and its arc. turns: of the clamp."""
+    """A half-swing of a bent rod, for its shape: how it was found, its length, and its arc. turns: of the clamp.
+
+    The clamp lies on the half-swing after ``whole`` of them, at the length ``arrival`` from where the motion is as at
+    the tip, of which ``regular`` is not straight, and at the phase ψ with sin²ψ = square and cos²ψ = rest.
+    """
 
     stay: Stay
     turns: int
@@ -857,6 +861,11 @@ class Swing:
     arc: Arc
     middle_angle: float
     far_angle: float
+    whole: int
+    arrival: float
+    regular: float
+    square: float
+    rest: float
 
 
 def not_negative(name: str, value: object) -> float:
@@ -1972,7 +1981,9 @@ def bent_rod(rod, turns, piece, crossing, index):
     gamma = 2 * beta * cos(motion.tip) + eta * aligned * aligned
     energy = gamma * length / 2 - 2 * beta * y - square
     scale = rod.scale
-    total = swing + stay.tip + stay.middle + stay.far
+    first = arrival + stay.tip + stay.arrival
+    # The length of the rod is better known than that of a half-swing.
+    half_swing = (length - sign * first) / both if both else swing + stay.tip + stay.middle + stay.far
     return Equilibrium(
         rod.side * (motion.tip + 2 * pi * turns),
         -rod.side * sign * ldexp(speed, scale),
@@ -1981,7 +1992,19 @@ def bent_rod(rod, turns, piece, crossing, index):
         rod.side * ldexp(z, -scale),
         ldexp(energy, scale),
         index,
-        Swing(stay, turns, total, whole, basin.axis.angle, basin.far.angle),
+        Swing(
+            stay,
+            turns,
+            half_swing,
+            whole,
+            basin.axis.angle,
+            basin.far.angle,
+            both if sign > 0 else both - 1,
+            first,
+            arrival,
+            phase.square,
+            phase.rest,
+        ),
     )
 
 
