@@ -14,7 +14,7 @@ Formulas, each proved equal to its derivation:
     point_pole (exsl22), pole_gap, rest_fall, rest_moment, rest_stiffness, rj_delta_imag (DLMF 19.26(iii)),
     rj_delta_real (DLMF 19.26(iii)), second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic,
     w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 c39d9809b9557d4a06c32816332258f3b7428ad8d74f6e8fa3e20a8d68f63cbc
+Digest of the inputs: sha256 5b21f2b5738155a70edc894d87afe1dea51b3771e37ccd6e1e46db8af7b2ed48
 """
 
 from __future__ import annotations
@@ -541,7 +541,11 @@ class Arc(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Swing:
-    """A half-swing of a bent rod, for its shape: how it was found, its length, and its arc. turns: of the clamp."""
+    """A half-swing of a bent rod, for its shape: how it was found, its length, and its arc. turns: of the clamp.
+
+    The clamp lies on the half-swing after ``whole`` of them, at the length ``arrival`` from where the motion is as at
+    the tip, of which ``regular`` is not straight, and at the phase ψ with sin²ψ = square and cos²ψ = rest.
+    """
 
     stay: Stay
     turns: int
@@ -549,6 +553,11 @@ class Swing:
     arc: Arc
     middle_angle: mpf
     far_angle: mpf
+    whole: int
+    arrival: mpf
+    regular: mpf
+    square: mpf
+    rest: mpf
 
 
 def not_negative(name: str, value: object) -> mpf:
@@ -1680,7 +1689,9 @@ def bent_rod(rod, turns, piece, crossing, index):
     gamma = 2 * beta * cos(motion.tip) + eta * aligned * aligned
     energy = gamma * length / 2 - 2 * beta * y - square
     scale = rod.scale
-    total = swing + stay.tip + stay.middle + stay.far
+    first = arrival + stay.tip + stay.arrival
+    # The length of the rod is better known than that of a half-swing.
+    half_swing = (length - sign * first) / both if both else swing + stay.tip + stay.middle + stay.far
     return Equilibrium(
         rod.side * (motion.tip + 2 * pi * turns),
         -rod.side * sign * ldexp(speed, scale),
@@ -1690,7 +1701,19 @@ def bent_rod(rod, turns, piece, crossing, index):
         ldexp(energy, scale),
         index,
         rod,
-        Swing(stay, turns, total, whole, basin.axis.angle, basin.far.angle),
+        Swing(
+            stay,
+            turns,
+            half_swing,
+            whole,
+            basin.axis.angle,
+            basin.far.angle,
+            both if sign > 0 else both - 1,
+            first,
+            arrival,
+            phase.square,
+            phase.rest,
+        ),
     )
 
 
@@ -2483,7 +2506,6 @@ def equilibria(beta, eta, *, max_index=None, dps=None) -> list[Equilibrium]:
     beta: terminal force over bending stiffness, F/(EI) ≥ 0.
     eta: magnetic modulus over bending stiffness, η̃/(EI) ≥ 0.
     max_index: the largest index that is wanted, 0 for stable equilibria only; None for all.
-    dps: decimal digits to work with, from 15 to 1000; None for those of the caller, mp.dps.
 
     All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """
@@ -2510,7 +2532,6 @@ def sweep(beta, eta, *, max_index=None, dps=None) -> Sweep:
     """All equilibria of many rods: the arguments are numbers, or sequences of one length.
 
     max_index: the largest index that is wanted, 0 for stable equilibria only; None for all.
-    dps: decimal digits to work with, from 15 to 1000; None for those of the caller, mp.dps.
 
     Raises TypeError or ValueError, naming the argument and the index of a bad value, before any work.
     """
@@ -2554,7 +2575,6 @@ def folds(beta, *, eta, dps=None) -> list[Fold]:
 
     beta: terminal force over bending stiffness, F/(EI) ≥ 0.
     ``eta``: the range (low, high) of the magnetic modulus over bending stiffness, 0 ≤ low < high.
-    dps: decimal digits to work with, from 15 to 1000; None for those of the caller, mp.dps.
 
     All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """
@@ -2588,7 +2608,6 @@ def exchanges(*, beta, eta, dps=None) -> list[Exchange]:
 
     ``beta``, ``eta``: the ranges (low, high) of terminal force and magnetic modulus over bending stiffness,
     0 ≤ low < high.
-    dps: decimal digits to work with, from 15 to 1000; None for those of the caller, mp.dps.
 
     All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """

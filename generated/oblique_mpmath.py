@@ -7,7 +7,8 @@ Load case: oblique. Valid for beta >= 0, eta >= 0, length > 0, any clamp_angle, 
 Formulas, each proved equal to its derivation:
     arc_kink (DLMF 19.29(ii)), arc_kink_tip, arc_square (DLMF 19.29(ii)), arc_y (exsl36), arc_z (exsl41),
     back_below (DLMF 19.8(iii)), back_below_rest (DLMF 19.8(iii)), back_rest (DLMF 19.8(iii)),
-    back_square (DLMF 19.8(iii)), chi_cosine (DLMF 22.6(iii)), chi_coversine (DLMF 22.6(iii)),
+    back_square (DLMF 19.8(iii)), before_cosine (DLMF 22.8(i)), before_over (DLMF 22.8(i)),
+    before_sine (DLMF 22.8(i)), chi_cosine (DLMF 22.6(iii)), chi_coversine (DLMF 22.6(iii)),
     chi_rate (DLMF 22.6(iii)), chi_scale (DLMF 22.6(iii)), chi_square (DLMF 4.21(iii)),
     chi_versine (DLMF 22.6(iii)), far_pair_root, far_root, gauss_rest (DLMF 19.8(iii)),
     gauss_square (DLMF 19.8(iii)), half_rest (DLMF 22.6(iii)), half_rest_beyond (DLMF 22.6(iii)),
@@ -18,7 +19,7 @@ Formulas, each proved equal to its derivation:
     second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic, turn_level, turn_over (DLMF 4.21(iii)),
     turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
     w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 873d912b7f31a01b06df260e68ab5abdf8a483a8af63b7c699e31f2fca1a316d
+Digest of the inputs: sha256 d40f5fc2a3bc0fa8be9c59a95129fff3d3e2a373443e6ac3187d616528272126
 """
 
 from __future__ import annotations
@@ -464,6 +465,30 @@ def pair_root_sum(square, delta):
     return 2 * delta / sqrt(square)
 
 
+def before_over(first, square, rest, by_delta):
+    """What the cosine of a difference of lengths is divided by; by_delta is Δ at the length taken off.
+
+    Equation DLMF 22.8(i); proved as swing.before_over.
+    """
+    return square * by_delta / first + first * rest / by_delta
+
+
+def before_sine(first, square, rest, delta, by_square, by_rest, by_delta, fall):
+    """sin ψ at the difference of two lengths from the tip, by the difference of their sin²ψ.
+
+    Equation DLMF 22.8(i); proved as swing.before_sine.
+    """
+    return first * fall / ((sqrt(square * by_rest) + delta * sqrt(rest * by_square) / by_delta) * by_delta)
+
+
+def before_cosine(first, square, rest, delta, by_square, by_rest, by_delta, over):
+    """cos ψ at the difference of two lengths from the tip.
+
+    Equation DLMF 22.8(i); proved as swing.before_cosine.
+    """
+    return (delta * sqrt(square * by_square) / first + first * sqrt(rest * by_rest) / by_delta) / over
+
+
 def back_below(first, second, square):
     """2a(a + b)/(a + Δ) by sin²ψ′, for a > b: Gauss's step undone.
 
@@ -682,7 +707,11 @@ class Arc(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Swing:
-    """A half-swing of a bent rod, for its shape: how it was found, its length, and its arc. turns: of the clamp."""
+    """A half-swing of a bent rod, for its shape: how it was found, its length, and its arc. turns: of the clamp.
+
+    The clamp lies on the half-swing after ``whole`` of them, at the length ``arrival`` from where the motion is as at
+    the tip, of which ``regular`` is not straight, and at the phase ψ with sin²ψ = square and cos²ψ = rest.
+    """
 
     stay: Stay
     turns: int
@@ -690,6 +719,11 @@ class Swing:
     arc: Arc
     middle_angle: mpf
     far_angle: mpf
+    whole: int
+    arrival: mpf
+    regular: mpf
+    square: mpf
+    rest: mpf
 
 
 def not_negative(name: str, value: object) -> mpf:
@@ -1969,7 +2003,9 @@ def bent_rod(rod, turns, piece, crossing, index):
     gamma = 2 * beta * cos(motion.tip) + eta * aligned * aligned
     energy = gamma * length / 2 - 2 * beta * y - square
     scale = rod.scale
-    total = swing + stay.tip + stay.middle + stay.far
+    first = arrival + stay.tip + stay.arrival
+    # The length of the rod is better known than that of a half-swing.
+    half_swing = (length - sign * first) / both if both else swing + stay.tip + stay.middle + stay.far
     return Equilibrium(
         rod.side * (motion.tip + 2 * pi * turns),
         -rod.side * sign * ldexp(speed, scale),
@@ -1979,7 +2015,19 @@ def bent_rod(rod, turns, piece, crossing, index):
         ldexp(energy, scale),
         index,
         rod,
-        Swing(stay, turns, total, whole, basin.axis.angle, basin.far.angle),
+        Swing(
+            stay,
+            turns,
+            half_swing,
+            whole,
+            basin.axis.angle,
+            basin.far.angle,
+            both if sign > 0 else both - 1,
+            first,
+            arrival,
+            phase.square,
+            phase.rest,
+        ),
     )
 
 
@@ -2065,25 +2113,108 @@ def index_limit(max_index):
     return limit
 
 
-def phase_at(a, b, length):
-    """sin²ψ and cos²ψ at a length from the tip within the half-swing: the transformation undone."""
+class Station(NamedTuple):
+    """A point of the rod on its half-swing: lengths from the tip and from the far turning point.
+
+    whole: half-swings between the tip and the one it lies on, which is run through backwards where that is odd.
+    beside: the length from the clamp; away: 1 where the motion from the tip is beyond the clamp there, −1 where it is
+    before it, 0 where a turning point lies between.
+    """
+
+    whole: int
+    from_tip: mpf
+    from_far: mpf
+    beside: mpf
+    away: int
+
+
+def station_at(swing, whole, from_tip, length, beside, away):
+    """The station at a length from the tip, or from the far turning point."""
+    other = swing.length - length
+    near, far = (length, other) if from_tip else (other, length)
+    return Station(whole, near, far, beside, away)
+
+
+def station_of(rod, swing, s):
+    """The point at a length from the clamp, measured from the nearer end of the rod.
+
+    The last digit of a long rod's length is many digits of θ where it bends beside the clamp.
+    """
+    towards_tip = swing.whole % 2 == 0
+    ahead = swing.arrival if towards_tip else swing.length - swing.arrival
+    if s < 0 or 2 * s >= rod.length:  # series of bins begin before the clamp
+        whole = floor((rod.length - s) / swing.length)
+        return station_at(swing, whole, whole % 2 == 0, rod.length - s - whole * swing.length, s, 0)
+    if s <= ahead:
+        return station_at(swing, swing.whole, towards_tip, ahead - s, s, -1 if towards_tip else 1)
+    turned = floor((s - ahead) / swing.length)
+    over = s - ahead - turned * swing.length
+    return station_at(swing, swing.whole - 1 - turned, towards_tip == (turned % 2 == 0), over, s, 0)
+
+
+def parts(length, stay, regular, middle_stay):
+    """A length from a turning point: straight there, of the motion itself, straight in its middle, and the rest.
+
+    Where the motion stays near its tip, its middle or its far turning point, the rod is straight.
+    """
+    first = min(length, stay)
+    rest = length - first
+    before = min(rest, regular / 2) if middle_stay > 0 else min(rest, regular)
+    middle = min(rest - before, middle_stay)
+    here = min(before + max(rest - before - middle, 0), regular)
+    return first, here, middle, max(rest - middle - here, 0)
+
+
+def next_to_clamp(swing, station, here, left):
+    """Whether a point is nearer to the clamp than to the turning point ahead, with nothing straight between."""
+    stay = swing.stay
+    if station.away == 0 or station.beside > (left if station.away > 0 else here):
+        return False
+    middle = (here + left) / 2
+    same_half = (swing.regular - middle) * (here - middle) > 0 and stay.arrival in (0, stay.middle)
+    return stay.middle == 0 or same_half
+
+
+def phase_before(a, b, square, rest, by):
+    """sin²ψ and cos²ψ at a length before a known phase; by: those at the length itself."""
+    by_square, by_rest = by
+    delta, by_delta = phase_rate(a, b, square, rest), phase_rate(a, b, by_square, by_rest)
+    fall = square - by_square if square < rest else by_rest - rest
+    over = before_over(a, square, rest, by_delta)
+    sine = before_sine(a, square, rest, delta, by_square, by_rest, by_delta, fall)
+    cosine = before_cosine(a, square, rest, delta, by_square, by_rest, by_delta, over)
+    return sine * sine, cosine * cosine
+
+
+def phase_at(a, b, length, left):
+    """sin²ψ and cos²ψ at lengths from the tip and from the half-swing's end: the transformation undone."""
     limit = 2 * epsilon() ** 0.5
     steps = [(a, b)]
     while any_of(abs(a - b) > limit * a):
         a, b = (a + b) / 2, sqrt(a * b)
         steps.append((a, b))
     a, b = (a + b) / 2, sqrt(a * b)
-    mean = (a + b) / 2
-    quarter = pi / (2 * mean)
-    first = 2 * length <= quarter
-    small = sin(mean * pick(first, length, quarter - length))
+    first = length <= left
+    small = sin((a + b) / 2 * pick(first, length, left))
     small = small * small
     square, rest = pick(first, small, 1 - small), pick(first, 1 - small, small)
     for a, b in reversed(steps):
         gap = a - b
         below = pick(gap > 0, back_below(a, b, square), back_below_rest(a, b, rest))
         square, rest = back_square(a, square, below), back_rest(a, b, gap, rest, below)
+        # The larger one is told best by the smaller one, and its rounding would double in each step.
+        square, rest = pick(rest < square, 1 - rest, square), pick(rest < square, rest, 1 - square)
     return square, rest
+
+
+def phase_beside(a, b, square, rest, station, whole):
+    """sin²ψ and cos²ψ of a point beside the clamp by those of the clamp; whole: the length of the half-swing."""
+    length, back = station.beside, whole - station.beside
+    if station.away < 0:
+        return phase_before(a, b, square, rest, phase_at(a, b, length, back))
+    # Seen from the far turning point.
+    square, rest = phase_before(b, a, rest, square, phase_at(b, a, length, back))
+    return rest, square
 
 
 def point_at(motion, square, rest):
@@ -2113,31 +2244,29 @@ def point_at(motion, square, rest):
     return point, atan2(over, under), done
 
 
-def regular_part(rod, motion, length):
-    """θ, dθ/dσ and the arc by the motion alone."""
-    if length <= 0:
-        return motion.tip, 0 * length, Arc(0, 0, 0)
-    square, rest = phase_at(motion.end / 2, motion.middle / 2, length)
+def regular_part(rod, swing, station, here, left):
+    """θ, dθ/dσ and the arc by the motion alone, at its lengths from the tip and from the far turning point."""
+    motion = swing.stay.motion
+    if here <= epsilon() * left:  # where the square of the phase may underflow
+        return motion.tip, 0 * here, Arc(0, 0, 0)
+    a, b = motion.end / 2, motion.middle / 2
+    if next_to_clamp(swing, station, here, left):
+        square, rest = phase_beside(a, b, swing.square, swing.rest, station, here + left)
+    else:
+        square, rest = phase_at(a, b, here, left)
     point, half, low = point_at(motion, square, rest)
-    arc = arc_to(rod.beta, rod.eta, rod.field_angle, motion, point, square, rest, length)
+    arc = arc_to(rod.beta, rod.eta, rod.field_angle, motion, point, square, rest, here)
     speed = point_speed(point.strength, low, point.one, point.product)
     return motion.tip + 2 * half, speed, arc
 
 
-def within_swing(rod, swing, length):
-    """θ, dθ/dσ and the arc at a length from the tip within the first half-swing.
-
-    Where the motion stays near its tip, its middle or its far turning point, the rod is straight.
-    """
+def on_swing(rod, swing, station):
+    """θ, dθ/dσ and the arc from the tip at a point of the first half-swing."""
     stay, motion = swing.stay, swing.stay.motion
     regular = swing.length - stay.tip - stay.middle - stay.far
-    tip = min(length, stay.tip)
-    rest = length - tip
-    before = min(rest, regular / 2) if stay.middle > 0 else min(rest, regular)
-    middle = min(rest - before, stay.middle)
-    here = min(before + max(rest - before - middle, 0), regular)
-    far = max(rest - middle - here, 0)
-    angle, speed, arc = regular_part(rod, motion, here)
+    tip, here, middle, far = parts(station.from_tip, stay.tip, regular, stay.middle)
+    _, left, _, _ = parts(station.from_far, stay.far, regular, stay.middle)
+    angle, speed, arc = regular_part(rod, swing, station, here, left)
     for straight, extent in ((motion.tip, tip), (swing.middle_angle, middle), (swing.far_angle, far)):
         if extent > 0:
             arc = Arc(arc.y + extent * cos(straight), arc.z + extent * sin(straight), arc.square)
@@ -2152,12 +2281,10 @@ def angle_and_position(equilibrium, s):
         share, left, bend = s / length, length - s, equilibrium.clamp_curvature
         angle = equilibrium.tip_angle - bend * left * (left / length) / 2
         return angle, bend * (left / length), equilibrium.y * share, equilibrium.z * share
-    sigma = rod.length - ldexp(s, rod.scale)
-    count = floor(sigma / swing.length)
-    within = sigma - count * swing.length
-    back = count % 2 == 1
-    angle, speed, arc = within_swing(rod, swing, swing.length - within if back else within)
-    times = count + 1 if back else count
+    station = station_of(rod, swing, ldexp(s, rod.scale))
+    back = station.whole % 2 == 1
+    angle, speed, arc = on_swing(rod, swing, station)
+    times = station.whole + 1 if back else station.whole
     sign = -1 if back else 1
     y = equilibrium.y - ldexp(times * swing.arc.y + sign * arc.y, -rod.scale)
     z = equilibrium.z - rod.side * ldexp(times * swing.arc.z + sign * arc.z, -rod.scale)
@@ -2899,7 +3026,6 @@ def equilibria(beta, eta, length, clamp_angle, field_angle, *, max_index=None, d
     clamp_angle: θ(0), the angle from the y axis to the tangent at the clamp, in radians.
     field_angle: α, the angle from the y axis to the field, in radians.
     max_index: the largest index that is wanted, 0 for stable equilibria only; None for all.
-    dps: decimal digits to work with, from 15 to 1000; None for those of the caller, mp.dps.
 
     All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """
@@ -2943,7 +3069,6 @@ def shape(equilibrium: Equilibrium, s, *, position=True, dps=None) -> Shape:
     """The shape of an equilibrium at arc lengths s from the clamp, a number or a sequence of them within [0, length].
 
     position: whether y and z are wanted; without them they are None.
-    dps: decimal digits to work with, from 15 to 1000; None for those of the caller, mp.dps.
 
     theta, curvature, y and z are numbers, or lists as long as s. Raises TypeError or ValueError where an s is not on
     the rod.
@@ -2971,7 +3096,6 @@ def sweep(beta, eta, length, clamp_angle, field_angle, *, max_index=None, dps=No
     """All equilibria of many rods: the arguments are numbers, or sequences of one length.
 
     max_index: the largest index that is wanted, 0 for stable equilibria only; None for all.
-    dps: decimal digits to work with, from 15 to 1000; None for those of the caller, mp.dps.
 
     Raises TypeError or ValueError, naming the argument and the index of a bad value, before any work.
     """
@@ -3018,7 +3142,6 @@ def folds(beta, length, clamp_angle, field_angle, *, eta, dps=None) -> list[Fold
     clamp_angle: θ(0), the angle from the y axis to the tangent at the clamp, in radians.
     field_angle: α, the angle from the y axis to the field, in radians.
     ``eta``: the range (low, high) of the magnetic modulus over bending stiffness, 0 ≤ low < high.
-    dps: decimal digits to work with, from 15 to 1000; None for those of the caller, mp.dps.
 
     All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """
@@ -3056,7 +3179,6 @@ def exchanges(length, clamp_angle, field_angle, *, beta, eta, dps=None) -> list[
     field_angle: α, the angle from the y axis to the field, in radians.
     ``beta``, ``eta``: the ranges (low, high) of terminal force and magnetic modulus over bending stiffness,
     0 ≤ low < high.
-    dps: decimal digits to work with, from 15 to 1000; None for those of the caller, mp.dps.
 
     All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """

@@ -14,7 +14,7 @@ Formulas, each proved equal to its derivation:
     point_pole (exsl22), pole_gap, rest_fall, rest_moment, rest_stiffness, rj_delta_imag (DLMF 19.26(iii)),
     rj_delta_real (DLMF 19.26(iii)), second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic,
     w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 058c3553826cd1971c184b0fef518635fd38c55d156b5a7734f81abbe79a43ce
+Digest of the inputs: sha256 0b5a984f09fc723ffe302b02a779e745b63af21a395b8bbfde2fdd017001249a
 """
 
 from __future__ import annotations
@@ -523,7 +523,11 @@ class Arc(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Swing:
-    """A half-swing of a bent rod, for its shape: how it was found, its length, and its arc. turns: of the clamp."""
+    """A half-swing of a bent rod, for its shape: how it was found, its length, and its arc. turns: of the clamp.
+
+    The clamp lies on the half-swing after ``whole`` of them, at the length ``arrival`` from where the motion is as at
+    the tip, of which ``regular`` is not straight, and at the phase ψ with sin²ψ = square and cos²ψ = rest.
+    """
 
     stay: Stay
     turns: int
@@ -531,6 +535,11 @@ class Swing:
     arc: Arc
     middle_angle: mpf
     far_angle: mpf
+    whole: int
+    arrival: mpf
+    regular: mpf
+    square: mpf
+    rest: mpf
 
 
 def not_negative(name: str, value: object) -> mpf:
@@ -1646,7 +1655,9 @@ def bent_rod(rod, turns, piece, crossing, index):
     gamma = 2 * beta * cos(motion.tip) + eta * aligned * aligned
     energy = gamma * length / 2 - 2 * beta * y - square
     scale = rod.scale
-    total = swing + stay.tip + stay.middle + stay.far
+    first = arrival + stay.tip + stay.arrival
+    # The length of the rod is better known than that of a half-swing.
+    half_swing = (length - sign * first) / both if both else swing + stay.tip + stay.middle + stay.far
     return Equilibrium(
         rod.side * (motion.tip + 2 * pi * turns),
         -rod.side * sign * ldexp(speed, scale),
@@ -1655,7 +1666,19 @@ def bent_rod(rod, turns, piece, crossing, index):
         rod.side * ldexp(z, -scale),
         ldexp(energy, scale),
         index,
-        Swing(stay, turns, total, whole, basin.axis.angle, basin.far.angle),
+        Swing(
+            stay,
+            turns,
+            half_swing,
+            whole,
+            basin.axis.angle,
+            basin.far.angle,
+            both if sign > 0 else both - 1,
+            first,
+            arrival,
+            phase.square,
+            phase.rest,
+        ),
     )
 
 
@@ -1805,7 +1828,6 @@ def equilibria(beta, eta, *, max_index=None, dps=None) -> list[Equilibrium]:
     beta: terminal force over bending stiffness, F/(EI) ≥ 0.
     eta: magnetic modulus over bending stiffness, η̃/(EI) ≥ 0.
     max_index: the largest index that is wanted, 0 for stable equilibria only; None for all.
-    dps: decimal digits to work with, from 15 to 1000; None for those of the caller, mp.dps.
 
     All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """
@@ -1832,7 +1854,6 @@ def sweep(beta, eta, *, max_index=None, dps=None) -> Sweep:
     """All equilibria of many rods: the arguments are numbers, or sequences of one length.
 
     max_index: the largest index that is wanted, 0 for stable equilibria only; None for all.
-    dps: decimal digits to work with, from 15 to 1000; None for those of the caller, mp.dps.
 
     Raises TypeError or ValueError, naming the argument and the index of a bad value, before any work.
     """
