@@ -18,7 +18,7 @@ ROOT = Path(__file__).resolve().parent.parent
 # On which page each table stands, between the markers <!-- NAME --> and <!-- end NAME -->.
 PAGES = {
     "verdicts": ROOT / "README.md",
-    "errors": ROOT / "README.md",
+    "measure": ROOT / "README.md",
     "errata": ROOT / "docs" / "checks.md",
     "mutants": ROOT / "docs" / "checks.md",
     "hard": ROOT / "docs" / "hard_rods.md",

@@ -48,9 +48,9 @@ def test_a_table_is_put_where_it_stands(tables: ModuleType, tmp_path: Path, monk
     tables.put("hard", ["| new |", "| two |"])
     assert tables.table("hard") == "| new |\n| two |"
     assert page.read_text(encoding="utf-8").startswith("Above.\n<!-- hard -->\n| new |")
-    monkeypatch.setitem(tables.PAGES, "errors", page)
-    with pytest.raises(ValueError, match="no markers <!-- errors -->"):
-        tables.put("errors", [])
+    monkeypatch.setitem(tables.PAGES, "measure", page)
+    with pytest.raises(ValueError, match="no markers <!-- measure -->"):
+        tables.put("measure", [])
 
 
 def test_a_table_that_is_not_of_the_run_is_seen(tables: ModuleType) -> None:
