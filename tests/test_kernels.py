@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from derive.emit.kernels.agm import half_period
 from derive.emit.kernels.api import equilibria, shape, sweep
 from derive.emit.kernels.arcs import rj_pair
+from derive.emit.kernels.arithmetic_mpmath import arctan_share
 from derive.emit.kernels.carlson import rf
 from derive.emit.kernels.roots import bracketed_root
 from derive.emit.kernels.swing import lengths, phase_at
@@ -64,6 +65,18 @@ def test_lengths_and_phases(exponent, part, swapped):
     square, rest = phase_at(a, b, length, whole - length)
     again = lengths(a, b, square, rest)[1]
     assert abs(again - length) < 64 * ULP * whole
+
+
+@given(st.integers(0, 140), st.floats(-3.1, 3.1), st.sampled_from([15, 50, 200, 400]))
+def test_the_twin_s_arctangent_keeps_all_digits(exponent, phase, digits):
+    """mpmath's own complex arctangent loses those that a small argument has less than 1."""
+    with mp.workdps(digits + 200):
+        z = mp.mpf(10) ** -exponent * mp.expjpi(phase / math.pi) / 2
+        wanted = mp.atan(mp.sqrt(z)) / mp.sqrt(z)
+    with mp.workdps(digits):
+        found = arctan_share(z, 1 + z)
+    with mp.workdps(digits + 200):
+        assert abs(found / wanted - 1) < mp.mpf(10) ** (2 - digits)
 
 
 @given(st.floats(-14, 0))

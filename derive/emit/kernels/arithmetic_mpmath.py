@@ -100,9 +100,15 @@ def deepest(width):
 
 
 def arctan_share(z, end):
-    """R_C(1, end) for complex end = 1 + z: arctan(√z)/√z (DLMF 19.2.18)."""
-    if abs(z) < eps:
-        return 1 - z / 3
+    """R_C(1, end) for complex end = 1 + z: arctan(√z)/√z (DLMF 19.2.18).
+
+    By its series where z is small: there mpmath's complex arctangent is a difference of logarithms near 0.
+    """
+    if abs(z) < 1e-3:
+        total, power, n = 1, -z, 3
+        while abs(power) > eps:
+            total, power, n = total + power / n, -power * z, n + 2
+        return total
     if abs(z) < 0.5:
         root = complex_sqrt(z)
         return atan(root) / root
