@@ -158,7 +158,7 @@ KERNEL_MUTANTS = [
     pytest.param("equilibria", "rod.side * ldexp(z, -scale)", "ldexp(z, -scale)", id="a mirror image not mirrored"),
     pytest.param("equilibria", "ldexp(gamma, 2 * scale)", "-ldexp(gamma, 2 * scale)", id="the sign of gamma"),
     pytest.param("equilibria", "both * a + sign * b", "both * a - sign * b", id="an arc on the wrong side"),
-    pytest.param("search", "else (1, -1)\n", "else (1,)\n", id="half of the branches"),
+    pytest.param("search", "else (1, -1):\n", "else (1,):\n", id="half of the branches"),
     pytest.param("search", "+ sign * item.arrival - length", "- sign * item.arrival - length", id="the other branch"),
     pytest.param("landscape", "eta - beta", "eta + beta", id="wells in the wrong place"),
     pytest.param("blocks", "case=found.case + start", "case=found.case + 1", id="cases of a sweep one too high"),
