@@ -150,7 +150,9 @@ KERNEL_MUTANTS = [
     pytest.param("swing", "return pi / (2 * mean)", "return pi / (4 * mean)", id="a factor of the half-swing"),
     pytest.param("swing", "first, small, 1 - small)", "first, 1 - small, small)", id="sine for cosine of the phase"),
     pytest.param("shapes", "station.whole % 2 == 1", "station.whole % 2 == 0", id="the parity of the half-swings"),
-    pytest.param("shapes", "ldexp(s, rod.scale))", "rod.length - ldexp(s, rod.scale))", id="lengths from the wrong end"),
+    pytest.param(
+        "shapes", "ldexp(s, rod.scale))", "rod.length - ldexp(s, rod.scale))", id="lengths from the wrong end"
+    ),
     pytest.param("shapes", "-rod.side * sign * ldexp(speed", "rod.side * sign * ldexp(speed", id="a sign of θ′"),
     pytest.param("equilibria", "else swings + 1", "else swings", id="an index one too low"),
     pytest.param("equilibria", "2 * crossing.turns - (1", "2 * crossing.turns + (1", id="an index two too high"),
