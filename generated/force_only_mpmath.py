@@ -7,7 +7,8 @@ Load case: force only, eta = 0. Valid for beta >= 0, length > 0, any clamp_angle
 Formulas, each proved equal to its derivation:
     arc_kink (DLMF 19.29(ii)), arc_kink_tip, arc_square (DLMF 19.29(ii)), arc_y (exsl36), arc_z (exsl41),
     back_below (DLMF 19.8(iii)), back_below_rest (DLMF 19.8(iii)), back_rest (DLMF 19.8(iii)),
-    back_square (DLMF 19.8(iii)), chi_cosine (DLMF 22.6(iii)), chi_coversine (DLMF 22.6(iii)),
+    back_square (DLMF 19.8(iii)), before_cosine (DLMF 22.8(i)), before_over (DLMF 22.8(i)),
+    before_sine (DLMF 22.8(i)), chi_cosine (DLMF 22.6(iii)), chi_coversine (DLMF 22.6(iii)),
     chi_rate (DLMF 22.6(iii)), chi_scale (DLMF 22.6(iii)), chi_square (DLMF 4.21(iii)),
     chi_versine (DLMF 22.6(iii)), far_pair_root, far_root, gauss_rest (DLMF 19.8(iii)),
     gauss_square (DLMF 19.8(iii)), half_rest (DLMF 22.6(iii)), half_rest_beyond (DLMF 22.6(iii)),
@@ -17,7 +18,7 @@ Formulas, each proved equal to its derivation:
     rest_fall, rest_moment, rest_stiffness, second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic,
     turn_level, turn_over (DLMF 4.21(iii)), turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7),
     w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 48e7d4494911e60fd74744179a4cd884d4b35625fdfa2950eb87de06f2a302e9
+Digest of the inputs: sha256 23f360d764b24ddbf00c624eeab714e6815b7dd8f17789a6ec1f4adcb7bb35df
 """
 
 from __future__ import annotations
@@ -123,9 +124,15 @@ def ceil(x):
 
 
 def arctan_share(z, end):
-    """R_C(1, end) for complex end = 1 + z: arctan(√z)/√z (DLMF 19.2.18)."""
-    if abs(z) < eps:
-        return 1 - z / 3
+    """R_C(1, end) for complex end = 1 + z: arctan(√z)/√z (DLMF 19.2.18).
+
+    By its series where z is small: there mpmath's complex arctangent is a difference of logarithms near 0.
+    """
+    if abs(z) < mpf("0.001"):
+        total, power, n = 1, -z, 3
+        while abs(power) > eps:
+            total, power, n = total + power / n, -power * z, n + 2
+        return total
     if abs(z) < 0.5:
         root = complex_sqrt(z)
         return atan(root) / root
@@ -409,6 +416,30 @@ def pair_root_sum(square, delta):
     return 2 * delta / sqrt(square)
 
 
+def before_over(first, square, rest, by_delta):
+    """What the cosine of a difference of lengths is divided by; by_delta is Δ at the length taken off.
+
+    Equation DLMF 22.8(i); proved as swing.before_over.
+    """
+    return square * by_delta / first + first * rest / by_delta
+
+
+def before_sine(first, square, rest, delta, by_square, by_rest, by_delta, fall):
+    """sin ψ at the difference of two lengths from the tip, by the difference of their sin²ψ.
+
+    Equation DLMF 22.8(i); proved as swing.before_sine.
+    """
+    return first * fall / ((sqrt(square * by_rest) + delta * sqrt(rest * by_square) / by_delta) * by_delta)
+
+
+def before_cosine(first, square, rest, delta, by_square, by_rest, by_delta, over):
+    """cos ψ at the difference of two lengths from the tip.
+
+    Equation DLMF 22.8(i); proved as swing.before_cosine.
+    """
+    return (delta * sqrt(square * by_square) / first + first * sqrt(rest * by_rest) / by_delta) / over
+
+
 def back_below(first, second, square):
     """2a(a + b)/(a + Δ) by sin²ψ′, for a > b: Gauss's step undone.
 
@@ -568,8 +599,7 @@ def digits(dps):
     return wanted
 
 
-@dataclass(frozen=True, slots=True)
-class Rod:
+class Rod(NamedTuple):
     """A rod in units in which β + η is of order one: lengths are 2**scale times the user's.
 
 
@@ -623,9 +653,12 @@ class Arc(NamedTuple):
     square: mpf
 
 
-@dataclass(frozen=True, slots=True)
-class Swing:
-    """A half-swing of a bent rod, for its shape: how it was found, its length, and its arc. turns: of the clamp."""
+class Swing(NamedTuple):
+    """A half-swing of a bent rod, for its shape: how it was found, its length, and its arc. turns: of the clamp.
+
+    The clamp lies on the half-swing after ``whole`` of them, at the length ``arrival`` from where the motion is as at
+    the tip, of which ``regular`` is not straight, and at the phase ψ with sin²ψ = square and cos²ψ = rest.
+    """
 
     stay: Stay
     turns: int
@@ -633,6 +666,11 @@ class Swing:
     arc: Arc
     middle_angle: mpf
     far_angle: mpf
+    whole: int
+    arrival: mpf
+    regular: mpf
+    square: mpf
+    rest: mpf
 
 
 def not_negative(name: str, value: object) -> mpf:
@@ -659,14 +697,6 @@ def weak_rod(beta, length, clamp_angle):
     tip = clamp_angle - moment * length * length / 2
     y, z = length * cos(clamp_angle), length * sin(clamp_angle)
     return Equilibrium(tip, -moment * length, gamma, y, z, -gamma * length / 2, 0, rod, None)
-
-
-def in_order(found):
-    """The list with tips that are nearer than rounding given as equal, where rounding would exchange them."""
-    for k in range(1, len(found)):
-        if found[k].tip_angle < found[k - 1].tip_angle:
-            found[k] = replace(found[k], tip_angle=found[k - 1].tip_angle)
-    return found
 
 
 class Rest(NamedTuple):
@@ -707,6 +737,12 @@ def no_field(beta):
 def landscape(beta):
     """Hills and wells for a field angle in (−π/2, π/2]."""
     return no_field(beta)
+
+
+def landscapes(beta):
+    """The landscape of a rod, and that of its mirror image."""
+    scene = landscape(beta)
+    return scene, scene
 
 
 def offset_from(rest, angle, turns):
@@ -771,33 +807,46 @@ def fall(rest, start, change):
     return fall_from_rest(rest.stiffness, start + half, half)
 
 
-def moment_from_rest(stiffness, offset):
-    """θ″ = −V′ at an offset from a direction without moment."""
-    return rest_moment(stiffness, sin(offset / 2), cos(offset / 2))
+def pick_rest(condition, yes, no):
+    """One or the other direction, number by number."""
+    return Rest(*(pick(condition, *pair) for pair in zip(yes, no, strict=True)))
 
 
-def slope(rest, offset):
-    """θ″ at an offset from a direction without moment."""
-    return moment_from_rest(rest.stiffness, offset)
+def step_to(rest, offset, goal):
+    """Newton's step to where the square root of the change of V from a direction without moment is ``goal``, and by
+    how much its slope changes half way there, as a share of it."""
+    small, large = sin(offset / 4), cos(offset / 4)
+    sine, cosine = 2 * small * large, 1 - 2 * small * small
+    level = rest_fall(rest.stiffness, small, large, small, large)
+    force = abs(rest_moment(rest.stiffness, sine, cosine))
+    here, force = sqrt(abs(level)), larger(force, epsilon() ** 20)
+    whole_sine, whole_cosine = 2 * sine * cosine, 1 - 2 * sine * sine
+    # dθ″/dθ, by β and α as the direction has them.
+    turned = rest.double_cosine * (2 * whole_cosine * whole_cosine - 1 - whole_cosine)
+    turned = turned - rest.double_sine * whole_sine * (2 * whole_cosine - 0.5)
+    bend = rest.stiffness * whole_cosine * (here / force) * (here / force)
+    share = (here - goal) / larger(here, epsilon() ** 20)
+    return 2 * here * (here - goal) / force, share * (pick(level < 0, -bend, bend) - 0.5)
 
 
 def reach(rest, amount, most, side):
     """The distance from a hill (or a well) at which V is lower (or higher) by ``amount``, to one side.
 
-    most: the distance of the next well (or hill). Newton's method for the square root of the difference, which is
+    most: the distance of the next well (or hill). Halley's method for the square root of the difference, which is
     nearly linear, from the pendulum's value.
     """
     amount = larger(amount, 0)  # of a hill and a well that nearly meet, rounding may give less
     share = amount / larger(abs(fall(rest, 0, side * most)), epsilon() ** 20)
     near = most * asin(sqrt(pick(share < 1, share, 1))) * (2 / pi)
-    goal, moving = sqrt(amount), True
+    goal = sqrt(amount)
     for _ in range(40):
-        here = sqrt(abs(fall(rest, 0, side * near)))
-        force = larger(abs(slope(rest, side * near)), epsilon() ** 20)
-        trial = near - 2 * here * (here - goal) / force
+        step, bent = step_to(rest, side * near, goal)
+        safe = abs(bent) < 0.5
+        trial = near - step / pick(safe, 1 - bent, 1)
         trial = pick(trial > most, (near + most) / 2, pick(trial < 0, near / 2, trial))
-        # Newton's method squares the error: after a step this small the next one would change nothing.
-        moving, near = abs(trial - near) > spacing(trial) ** mpf("0.6") * near, trial
+        # The method cubes the error, and Newton's squares it: after steps this small the next would change nothing.
+        small = pick(safe, spacing(trial) ** mpf("0.45"), spacing(trial) ** mpf("0.6"))
+        moving, near = abs(trial - near) > small * near, trial
         if not any_of(moving):
             break
     return near
@@ -806,7 +855,12 @@ def reach(rest, amount, most, side):
 def ridge_ground(scene, at, drop):
     """The ground with a lower ridge."""
     rests = scene.rests
-    level = reach(rests[0], drop, rests[1].angle - rests[0].angle, 1)
+    down, above = rests[1].angle - rests[0].angle, fall(rests[2], 0, rests[1].angle - rests[2].angle)
+    # Of a ridge that is next to its wells V tells at the hill nothing.
+    by_hill = drop < above
+    rest, amount = pick_rest(by_hill, rests[0], rests[1]), pick(by_hill, drop, above)
+    distance = reach(rest, amount, down, pick(by_hill, 1, -1))
+    level = pick(by_hill, distance, down - distance)
     # Near the far hill V says which is higher only by the distance from that hill.
     height = pick(at[2] < -at[4], fall(rests[2], 0, at[2]), fall(rests[4], 0, at[4]) - drop)
     return Ground(scene, at, drop, level, height)
@@ -827,11 +881,6 @@ def ground_of(beta, scene, clamp):
 def in_basin(at, first, inside, builders):
     """The range of a clamp inside a basin: one before the well and at it, another beyond."""
     return [(inside & (at[first + 1] <= 0), builders[0]), (inside & (at[first + 1] > 0), builders[1])]
-
-
-def pick_rest(condition, yes, no):
-    """One or the other direction, number by number."""
-    return Rest(*(pick(condition, *pair) for pair in zip(yes, no, strict=True)))
 
 
 class Basin(NamedTuple):
@@ -878,7 +927,8 @@ def piece_of(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_ga
     rest, offset = rests[0], at[0]
     for other, distance in zip(rests[1:], at[1:], strict=False):
         closer = abs(distance) < abs(offset)
-        rest, offset = pick_rest(closer, other, rest), pick(closer, distance, offset)
+        if any_of(closer):
+            rest, offset = pick_rest(closer, other, rest), pick(closer, distance, offset)
     last = at[len(rests) - 1]
     return Piece(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last)
 
@@ -948,11 +998,21 @@ def pass_level(ground):
     return piece_of(over, "hill", "level", 0, level, over.well.angle - over.hill.angle - level, at[0] - level, 0, at)
 
 
-def onward(rest, start, amount, rough):
+def moment_from_rest(stiffness, offset):
+    """θ″ = −V′ at an offset from a direction without moment."""
+    return rest_moment(stiffness, sin(offset / 2), cos(offset / 2))
+
+
+def slope(rest, offset):
+    """θ″ at an offset from a direction without moment."""
+    return moment_from_rest(rest.stiffness, offset)
+
+
+def onward(rest, start, amount, rough, wanted):
     """How far beyond ``start``, an offset from a direction without moment, V has fallen by ``amount``.
 
     The rough value is good to rounding of the angles; where little of it is left, the slope of V at the start gives a
-    better one. Newton's method does the rest.
+    better one. Newton's method does the rest, until all that are wanted are found.
     """
     steep = slope(rest, start)
     told = (abs(rough) > mpf("0.001") * abs(start)) | (steep == 0)
@@ -960,8 +1020,10 @@ def onward(rest, start, amount, rough):
     for _ in range(40):
         force = slope(rest, start + distance)
         step = (fall(rest, start, distance) - amount) / pick(force == 0, 1, force)
-        distance = pick(abs(distance - step) > pi, rough, distance - step)
-        if not any_of(abs(step) > spacing(distance) ** mpf("0.6") * abs(distance)):
+        away = abs(distance - step) > pi
+        stuck = away & (distance == rough)
+        distance = pick(away, rough, distance - step)
+        if not any_of(wanted & (stuck == 0) & (abs(step) > spacing(distance) ** mpf("0.6") * abs(distance))):
             break
     return distance
 
@@ -972,7 +1034,8 @@ def pass_turn(ground):
     down = over.well.angle - over.hill.angle
     width = -at[4] if over.even else reach(over.hill, fall(over.far, 0, at[4]), down, 1)
     # Towards the hill V is flat and tells little, but there the angles tell all.
-    gap = pick(width < level / 2, level - width, -onward(over.hill, level, ground.height, width - level))
+    near = width >= level / 2
+    gap = pick(near, -onward(over.hill, level, ground.height, width - level, near), level - width)
     return piece_of(over, "hill", "turn", 0, width, down - width, at[0] - width, gap, at)
 
 
@@ -990,7 +1053,7 @@ def level_turn(ground):
     from_well = reach(basin.well, above, down, -1)
     # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
     from_hill = reach(basin.hill, ground.drop + below, down, 1)
-    near = onward(basin.hill, level, below, from_hill - level)
+    near = onward(basin.hill, level, below, from_hill - level, True)
     width = pick(below < above / 4, near, down - level - from_well)
     return piece_of(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
 
@@ -1109,9 +1172,10 @@ def beyond_clamp(piece, drop, rough):
     basin, rest, start = piece.basin, piece.clamp_rest, piece.clamp_offset
     high = -piece.high_depth
     amount = fall(basin.well, high - drop, drop)
-    better = onward(rest, start, -amount, rough)
+    far = rough > 0.25 * abs(start)
+    better = onward(rest, start, -amount, rough, far == 0)
     # Newton's method leaves a place where V is nearly level for one far away.
-    return pick((rough > 0.25 * abs(start)) | (abs(better - rough) > mpf("0.01")), rough, better)
+    return pick(far | (abs(better - rough) > mpf("0.01")), rough, better)
 
 
 def far_side(piece, rise, drop, depth, done):
@@ -1169,22 +1233,35 @@ def above_field(basin, middle, half_width, height):
     return (height + fall(basin.axis, 0, offset)) / pick(turn == 0, 1, turn)
 
 
+def mean_less_field(basin, middle, half_width, near, far, height, mean):
+    """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
+    level."""
+    apart = mean
+    close = apart <= mpf(0)
+    if any_of(close):
+        by_far, by_near = far, near
+        known = pick(2 * by_far > far, by_far, by_near)
+        far_off = close & (2 * by_far <= far) & (2 * by_near <= near)
+        if any_of(far_off):
+            known = pick(far_off, above_field(basin, middle, half_width, height), known)
+        apart = pick(close, known, apart)
+    # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.
+    least = larger(height, epsilon() ** 19) if basin.passes else epsilon() * pick(near < far, near, far) / 4
+    return larger(apart, least)
+
+
 def rates(beta, basin, tip, half_width, sine, near, far, height):
     """dχ/dσ at the ends and in the middle of the motion."""
     middle, cosine = tip + half_width, cos(half_width)
+    cos_middle = cos(middle)
     product = sqrt(near) * sqrt(far)
-    excess = -(2 * beta * cos(middle) * cosine)
-    mean = -(2 * beta * cos(middle))
-    by_far, by_near = far, near
-    apart = above_field(basin, middle, half_width, height)
-    apart = pick(2 * by_near > near, by_near, apart)
-    apart = pick(2 * by_far > far, by_far, apart)
-    apart = pick(mean > mpf(0), mean, apart)
-    # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.
-    least = larger(height, epsilon() ** 19) if basin.passes else epsilon() * pick(near < far, near, far) / 4
-    apart = larger(apart, least)
-    split = sine * sqrt(apart * mean / pick(excess < 0, product - excess, 1))
-    return sqrt(product / 2), pick(excess < 0, split, sqrt(product + larger(excess, 0))) / 2
+    excess = -(2 * beta * cos_middle * cosine)
+    split, rate = excess < 0, sqrt(product + larger(excess, 0))
+    if any_of(split):
+        mean = -(2 * beta * cos_middle)
+        apart = mean_less_field(basin, middle, half_width, near, far, height, mean)
+        rate = pick(split, sine * sqrt(apart * mean / pick(split, product - excess, 1)), rate)
+    return sqrt(product / 2), rate / 2
 
 
 def motion_at(beta, piece: Piece, place):
@@ -1299,59 +1376,58 @@ def lengths(a, b, square, rest):
     return pi / (2 * mean), atan2(sqrt(square), sqrt(rest)) / mean
 
 
-def times(motion):
-    """Half-swing, and the length from the tip to the clamp."""
-    phase = phase_of(motion)
-    return lengths(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
-
-
 class Sample(NamedTuple):
-    """Half-swing and first arrival at a place of a piece."""
+    """Half-swing and first arrival at a place of a piece, and of what they are: the motion and its phase at the clamp.
+
+    The motion alone has the half-swing and the arrival without the lengths for which it stays anywhere.
+    """
 
     place: mpf
     swing: mpf
     arrival: mpf
+    stay: Stay
+    phase: Phase
+    regular: tuple[mpf, mpf]
 
 
 def sample_at(beta, piece, ends, place):
     """The sample at a place."""
     stay = stay_at(beta, piece, ends, place)
-    swing, arrival = times(stay.motion)
-    return Sample(place, swing + stay.tip + stay.middle + stay.far, arrival + stay.tip + stay.arrival)
+    motion = stay.motion
+    phase = phase_of(motion)
+    regular = swing, arrival = lengths(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
+    swing, arrival = swing + stay.tip + stay.middle + stay.far, arrival + stay.tip + stay.arrival
+    return Sample(place, swing, arrival, stay, phase, regular)
 
 
-def bends(first, second, third, length):
-    """Whether the curves bend so much at the second sample that a count may reach a whole number unseen beside it.
+def least_arrival(beta, piece, place):
+    """A length before which no motion from a place, or from a lower one, arrives.
 
-    By how far the straight line through two samples misses the third.
+    θ″ is nowhere more than β + η/2, and at an offset from the hill no more than β + η times that: a motion that has
+    the lesser of these two gets ahead of it.
     """
-    share = (third.place - second.place) / (second.place - first.place)
-    swing = third.swing - second.swing - share * (second.swing - first.swing)
-    arrival = third.arrival - second.arrival - share * (second.arrival - first.arrival)
-    least = min(first.swing, second.swing, third.swing)
-    reach = (abs(arrival) + (length / least * abs(swing) if length > least else 0)) / (2 * least)
-    for sign in (1, -1):
-        for item in (first, second, third):
-            count = (length - sign * item.arrival) / (2 * item.swing)
-            whole = floor(count + 0.5)
-            if abs(count - whole) < reach and (whole > 0 or (whole == 0 and sign > 0)):
-                return True
-    return False
+    steep, most = beta, beta
+    share = 1 / (1 + exp(-max(place, -deepest(piece.width))))
+    offset = piece.low_offset + piece.width * share
+    clamp = piece.low_offset + piece.width + piece.clamp_gap
+    bend = min(clamp, most / steep)
+    arrival, speed = 0.0, 0.0
+    if offset < bend:
+        ratio = bend / offset
+        away = sqrt((ratio - 1) * (ratio + 1))
+        arrival, speed = log(ratio + away) / sqrt(steep), sqrt(steep) * away * offset
+    rest = clamp - max(offset, bend)
+    return arrival + (2 * rest / (speed + sqrt(speed * speed + 2 * most * rest)) if rest > 0 else 0)
 
 
-def refined(sample, samples, length):
-    """More samples where half-swing or arrival bend between neighbours, as far as the rod's length is sensitive."""
-    done, todo = [samples[0]], samples[:0:-1]
-    while todo:
-        before, after = done[-1], todo[-1]
-        apart = after.place - before.place > mpf("1.3")
-        beside = [(done[-2], before, after)] if len(done) > 1 else []
-        beside += [(before, after, todo[-2])] if len(todo) > 1 else []
-        if apart and any(bends(one, two, three, length) for one, two, three in beside):
-            todo.append(sample((before.place + after.place) / 2))
-        else:
-            done.append(todo.pop())
-    return done
+def fall_between(piece, one, other):
+    """How far V falls from the tip at a place to that at a higher one."""
+    rise, drop = piece.width / (1 + exp(-one)), piece.width / (1 + exp(one))
+    further = piece.width / (1 + exp(-other)) - rise if one < 0 else drop - piece.width / (1 + exp(other))
+    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
+    if from_hill < depth:
+        return fall(piece.basin.hill, from_hill, further)
+    return fall(piece.basin.well, -depth, further)
 
 
 def grid(beta, length, piece):
@@ -1398,19 +1474,167 @@ def places(beta, length, piece):
     return sorted([*found, *(place for place in around if found[0] < place < found[-1])])
 
 
+def arrives_convexly(piece):
+    """Whether the first arrival is a convex function of the energy V(tip): see docs/solver.md."""
+    basin = piece.basin
+    known = basin.even or basin.far_rise == 0
+    return known and piece.clamp_gap > piece.high_depth
+
+
+def convex_bound(found, gap, fallen):
+    """What a convex arrival is nowhere less than in a gap between samples: the chords beside it, carried on."""
+    one, other = found[gap], found[gap + 1]
+    width, bound = fallen(one, other), -inf
+    for near, far in ((gap, gap - 1), (gap + 1, gap + 2)):
+        if 0 <= far < len(found):
+            beside = fallen(found[min(near, far)], found[max(near, far)])
+            if beside > 0:
+                steep = (found[far].arrival - found[near].arrival) / beside
+                bound = max(bound, found[near].arrival - max(steep * width, 0))
+    return bound
+
+
+def open_gap(found, fallen, length):
+    """The wider gap beside the least sample in which a convex arrival may be no longer than the length, or None."""
+    least = min(range(len(found)), key=lambda k: found[k].arrival)
+    best, widest = None, 2 * sqrt(epsilon()) * (1 + abs(found[least].place))
+    for gap in (least - 1, least):
+        if 0 <= gap < len(found) - 1:
+            width = found[gap + 1].place - found[gap].place
+            if width > widest and convex_bound(found, gap, fallen) <= (1 + mpf("1e-09")) * length:
+                best, widest = gap, width
+    return best
+
+
+def inner(places, one, other, always):
+    """The middle one of the places between two samples; where there is none, half way if ``always``, else None."""
+    inside = [place for place in places if one.place < place < other.place]
+    if inside:
+        return inside[len(inside) // 2]
+    return (one.place + other.place) / 2 if always else None
+
+
+def valley(sample, places, fallen, length):
+    """Samples on both sides of every crossing of a length that is shorter than a half-swing, for a convex arrival.
+
+    Without a crossing there may be none. fallen(one, other): how far V falls from the tip of a sample to the next.
+    """
+    found = [sample(place) for place in sorted({places[0], places[len(places) // 2], places[-1]})]
+    while min(item.arrival for item in found) > length:
+        gap = open_gap(found, fallen, length)
+        if gap is None:
+            return []
+        found.insert(gap + 1, sample(inner(places, found[gap], found[gap + 1], True)))
+    done, todo = [found[0]], found[:0:-1]
+    while todo:
+        crossed = (done[-1].arrival > length) != (todo[-1].arrival > length)
+        place = inner(places, done[-1], todo[-1], False) if crossed else None
+        if place is None:
+            done.append(todo.pop())
+        else:
+            todo.append(sample(place))
+    return done
+
+
+def bends(first, second, third, length):
+    """Whether the curves bend so much at the second sample that a count may reach a whole number unseen beside it.
+
+    By how far the straight line through two samples misses the third.
+    """
+    share = (third.place - second.place) / (second.place - first.place)
+    swing = third.swing - second.swing - share * (second.swing - first.swing)
+    arrival = third.arrival - second.arrival - share * (second.arrival - first.arrival)
+    least = min(first.swing, second.swing, third.swing)
+    reach = (abs(arrival) + (length / least * abs(swing) if length > least else 0)) / (2 * least)
+    for sign in (1, -1):
+        for item in (first, second, third):
+            count = (length - sign * item.arrival) / (2 * item.swing)
+            whole = floor(count + 0.5)
+            if abs(count - whole) < reach and (whole > 0 or (whole == 0 and sign > 0)):
+                return True
+    return False
+
+
+def refined(sample, samples, length):
+    """More samples where half-swing or arrival bend between neighbours, as far as the rod's length is sensitive."""
+    done, todo = [samples[0]], samples[:0:-1]
+    while todo:
+        before, after = done[-1], todo[-1]
+        apart = after.place - before.place > mpf("1.3")
+        beside = [(done[-2], before, after)] if len(done) > 1 else []
+        beside += [(before, after, todo[-2])] if len(todo) > 1 else []
+        if apart and any(bends(one, two, three, length) for one, two, three in beside):
+            todo.append(sample((before.place + after.place) / 2))
+        else:
+            done.append(todo.pop())
+    return done
+
+
+def falls(one, other):
+    """Whether no branch is longer at the second one."""
+    less, apart = one.swing - other.swing, one.arrival - other.arrival
+    return apart >= 0 and 2 * less >= apart
+
+
+def sampled(sample, places, first, soon):
+    """Samples from the first place on to one from which the motion arrives soon.
+
+    Nothing before and after is as long as the rod. One more is taken where the branches do not fall from there, or to
+    there.
+    """
+    found = [sample(place) for place in places[first : first + 2]]
+    for place in places[first + 2 :]:
+        if found[-1].arrival < soon and found[-1].arrival < found[-2].arrival:
+            break
+        found.append(sample(place))
+    while first > 0 and not falls(*found[:2]):
+        first -= 1
+        found.insert(0, sample(places[first]))
+    return found
+
+
 def end_sample(piece, last):
     """The high end itself, where its times are known: arrival at once, or after the whole half-swing."""
     if piece.high_kind == "clamp" and piece.clamp_gap == 0 and piece.high_depth > 0:
-        return Sample(last.place + 1e3, last.swing, 0 * last.swing)
+        return last._replace(place=last.place + 1e3, arrival=0 * last.swing)
     if piece.high_kind == "turn":
-        return Sample(last.place + 1e3, last.swing, last.swing)
+        return last._replace(place=last.place + 1e3, arrival=last.swing)
     return None
 
 
-def between(one, other, count_one, count_other, beside):
-    """The whole numbers from the lower count up to, but not at, the higher one."""
-    low, high = (count_one, count_other) if count_one < count_other else (count_other, count_one)
-    return [(turns, one, other, beside) for turns in range(max(ceil(low), 0), max(ceil(high), 0))]
+def samples_on(beta, length, piece, sample, short):
+    """Samples of a piece, near enough for all crossings; short: the rod is shorter than any half-swing."""
+
+    def too_low(place):
+        return least_arrival(beta, piece, place) > (1 + mpf("1e-09")) * length
+
+    def fallen(one, other):
+        return fall_between(piece, one.place, other.place)
+
+    if too_low(inf):
+        return []
+    wanted = places(beta, length, piece)
+    first = 0
+    while first + 2 < len(wanted) and too_low(wanted[first + 1]):
+        first += 1
+    if short and arrives_convexly(piece):
+        return valley(sample, wanted[first:], fallen, length)
+    # A motion that arrives before the stiffest pendulum is down arrives the sooner, the nearer its tip (Sturm).
+    quarter = pi / 2 / sqrt(beta)
+    soon = (1 - mpf("1e-09")) * min(quarter, length) if short and piece.high_kind == "clamp" else 0
+    samples = refined(sample, sampled(sample, wanted, first, soon), length)
+    end = end_sample(piece, samples[-1])
+    return samples if end is None else [*samples, end]
+
+
+def between(samples, counts, k):
+    """The whole numbers from the lower count of a sample and that before it up to, but not at, the higher one."""
+    low, high = (counts[k - 1], counts[k]) if counts[k - 1] < counts[k] else (counts[k], counts[k - 1])
+    turns = range(max(ceil(low), 0), max(ceil(high), 0))
+    if not turns:
+        return []
+    beside = samples[k - 2] if k > 1 else samples[-1] if len(samples) == k + 1 else samples[k + 1]
+    return [(number, samples[k - 1], samples[k], beside) for number in turns]
 
 
 def dip(sample, short, left, middle, right):
@@ -1460,8 +1684,7 @@ def brackets(sample, samples, counts, length, sign):
     """(turns, sample, sample, a third) for every whole number that the count crosses between the two samples."""
     found = []
     for k in range(1, len(samples)):
-        beside = samples[k - 2] if k > 1 else samples[-1] if len(samples) == k + 1 else samples[k + 1]
-        found += between(samples[k - 1], samples[k], counts[k - 1], counts[k], beside)
+        found += between(samples, counts, k)
     for k in range(1, len(samples) - 1):
         before, here, after = counts[k - 1 : k + 2]
         if (before - here) * (after - here) > 0:
@@ -1482,18 +1705,17 @@ def interpolated(a, b, c, value_a, value_b, value_c):
     if x <= 0 or y * y >= x or (1 - y) * (1 - y) >= 1 - x:
         return 0.5
     share = value_a / (value_b - value_a) * value_c / (value_b - value_c)
-    return share + (c - a) / (b - a) * value_a / (value_c - value_a) * value_b / (value_c - value_b)
+    share = share + (c - a) / (b - a) * value_a / (value_c - value_a) * value_b / (value_c - value_b)
+    return share if 0 < share < 1 else 0.5
 
 
 def bracketed_root(function, places, values, blur):
     """A sign change of the function between the first two places, to rounding, by Chandrupatla's method (1997).
 
-    The third place has a value, too. blur: a value that rounding may have made of zero.
+    If there is a third place, it has a value, too. blur: a value that rounding may have made of zero.
     """
-    (a, b, c), (value_a, value_b, value_c) = places, values
-    fraction = interpolated(a, b, c, value_a, value_b, value_c)
-    if not 0 < fraction < 1:
-        fraction = 0.5
+    (a, b, *third), (value_a, value_b, *value_third) = places, values
+    fraction = interpolated(a, b, third[0], value_a, value_b, value_third[0]) if third else 0.5
     while True:
         trial = a + fraction * (b - a)
         value = function(trial)
@@ -1512,7 +1734,7 @@ def bracketed_root(function, places, values, blur):
 class Crossing(NamedTuple):
     """A tip whose rod has the right length, on branch 2·turns·H + sign·t; ``rising``: the branch grows with the tip."""
 
-    place: mpf
+    sample: Sample
     turns: int
     sign: int
     rising: bool
@@ -1520,15 +1742,16 @@ class Crossing(NamedTuple):
 
 def crossing(sample, turns, sign, length, before, after, beside):
     """The crossing between two samples on either side of it; a third one beside them helps to start."""
+    seen = {}
 
     def function(place):
-        return excess(sample(place), turns, sign, length)
+        seen[place] = sample(place)
+        return excess(seen[place], turns, sign, length)
 
-    low, high = excess(before, turns, sign, length), excess(after, turns, sign, length)
-    third = excess(beside, turns, sign, length)
-    points = (before.place, after.place, beside.place), (low, high, third)
-    place = bracketed_root(function, *points, epsilon() * length)
-    return Crossing(place, turns, sign, high > low)
+    known = (before, after, beside)
+    values = [excess(item, turns, sign, length) for item in known]
+    place = bracketed_root(function, [item.place for item in known], values, epsilon() * length)
+    return Crossing(seen.get(place) or sample(place), turns, sign, values[1] > values[0])
 
 
 def crossings(beta, length, piece, most):
@@ -1539,13 +1762,10 @@ def crossings(beta, length, piece, most):
         return sample_at(beta, piece, ends, place)
 
     # No half-swing is shorter than that of the stiffest pendulum.
-    signs = (1,) if length * sqrt(beta) < pi else (1, -1)
-    samples = refined(sample, [sample(place) for place in places(beta, length, piece)], length)
-    end = end_sample(piece, samples[-1])
-    if end is not None:
-        samples.append(end)
+    short = length * sqrt(beta) < pi
+    samples = samples_on(beta, length, piece, sample, short)
     found = []
-    for sign in signs:
+    for sign in (1,) if short else (1, -1):
         counts = [(length - sign * item.arrival) / (2 * item.swing) for item in samples]
         for turns, before, after, beside in brackets(sample, samples, counts, length, sign):
             # At least 2·turns − 1 conjugate points, or one more on the branch that has gone on.
@@ -1697,10 +1917,8 @@ def clamp_point(motion, phase):
 def bent_rod(rod, turns, piece, crossing, index):
     """The equilibrium of a tip on its branch."""
     beta, length = rod.beta, rod.length
-    stay = stay_at(beta, piece, delays(piece), crossing.place)
+    stay, phase, (swing, arrival) = crossing.sample.stay, crossing.sample.phase, crossing.sample.regular
     motion, basin = stay.motion, piece.basin
-    phase = phase_of(motion)
-    swing, arrival = times(motion)
     whole = Arc(0, 0, 0)  # not asked for within the first half-swing
     if crossing.turns:
         whole = arc_to(beta, motion, far_point(motion), 1, 0, swing)
@@ -1714,7 +1932,9 @@ def bent_rod(rod, turns, piece, crossing, index):
     gamma = 2 * beta * cos(motion.tip)
     energy = gamma * length / 2 - 2 * beta * y - square
     scale = rod.scale
-    total = swing + stay.tip + stay.middle + stay.far
+    first = arrival + stay.tip + stay.arrival
+    # The length of the rod is better known than that of a half-swing.
+    half_swing = (length - sign * first) / both if both else swing + stay.tip + stay.middle + stay.far
     return Equilibrium(
         rod.side * (motion.tip + 2 * pi * turns),
         -rod.side * sign * ldexp(speed, scale),
@@ -1724,24 +1944,42 @@ def bent_rod(rod, turns, piece, crossing, index):
         ldexp(energy, scale),
         index,
         rod,
-        Swing(stay, turns, total, whole, basin.axis.angle, basin.far.angle),
+        Swing(
+            stay,
+            turns,
+            half_swing,
+            whole,
+            basin.axis.angle,
+            basin.far.angle,
+            both if sign > 0 else both - 1,
+            first,
+            arrival,
+            phase.square,
+            phase.rest,
+        ),
     )
 
 
-def below(rod, most):
+def below(rod, scene, clamp, most):
     """The equilibria with tips below the clamp angle, from the lowest up; tips may be nearer than rounding."""
     beta = rod.beta
-    scene = landscape(beta)
-    clamp = clamp_in(scene.rests, rod.clamp_angle)
     found = []
     for piece in pieces(beta, scene, clamp):
         if not piece.width > 0:  # the clamp angle is at the level of the ridge, to rounding
             continue
         here = crossings(beta, rod.length, piece, most)
-        for crossing in sorted(here, key=lambda item: item.place):
+        for crossing in sorted(here, key=lambda item: item.sample.place):
             index = index_of(crossing)
             if index <= most:
                 found.append(bent_rod(rod, clamp.turns, piece, crossing, index))
+    return found
+
+
+def in_order(found):
+    """The list with tips that are nearer than rounding given as equal, where rounding would exchange them."""
+    for k in range(1, len(found)):
+        if found[k].tip_angle < found[k - 1].tip_angle:
+            found[k] = replace(found[k], tip_angle=found[k - 1].tip_angle)
     return found
 
 
@@ -1779,11 +2017,9 @@ def straight_rod(rod, rest):
     )
 
 
-def straight(rod, most):
+def straight(rod, scene, clamp, most):
     """The straight equilibrium, if the clamp angle is a direction without moment."""
-    scene = landscape(rod.beta)
-    offsets = clamp_in(scene.rests, rod.clamp_angle).offsets
-    found = [straight_rod(rod, rest) for rest, offset in zip(scene.rests, offsets, strict=True) if offset == 0]
+    found = [straight_rod(rod, rest) for rest, offset in zip(scene.rests, clamp.offsets, strict=True) if offset == 0]
     return [item for item in found if item.index <= most]
 
 
@@ -1795,7 +2031,10 @@ def all_equilibria(beta, length, clamp_angle, max_index):
     scale = frexp(beta)[1] // 2
     rod = Rod(ldexp(beta, -2 * scale), ldexp(length, scale), clamp_angle, 1, scale)
     mirrored = Rod(rod.beta, rod.length, -clamp_angle, -1, scale)
-    return in_order([*below(rod, most), *straight(rod, most), *below(mirrored, most)[::-1]])
+    scene, other = landscapes(rod.beta)
+    clamp = clamp_in(scene.rests, rod.clamp_angle)
+    above = below(mirrored, other, clamp_in(other.rests, mirrored.clamp_angle), most)
+    return in_order([*below(rod, scene, clamp, most), *straight(rod, scene, clamp, most), *above[::-1]])
 
 
 def index_limit(max_index):
@@ -1808,25 +2047,108 @@ def index_limit(max_index):
     return limit
 
 
-def phase_at(a, b, length):
-    """sin²ψ and cos²ψ at a length from the tip within the half-swing: the transformation undone."""
+class Station(NamedTuple):
+    """A point of the rod on its half-swing: lengths from the tip and from the far turning point.
+
+    whole: half-swings between the tip and the one it lies on, which is run through backwards where that is odd.
+    beside: the length from the clamp; away: 1 where the motion from the tip is beyond the clamp there, −1 where it is
+    before it, 0 where a turning point lies between.
+    """
+
+    whole: int
+    from_tip: mpf
+    from_far: mpf
+    beside: mpf
+    away: int
+
+
+def station_at(swing, whole, from_tip, length, beside, away):
+    """The station at a length from the tip, or from the far turning point."""
+    other = swing.length - length
+    near, far = (length, other) if from_tip else (other, length)
+    return Station(whole, near, far, beside, away)
+
+
+def station_of(rod, swing, s):
+    """The point at a length from the clamp, measured from the nearer end of the rod.
+
+    The last digit of a long rod's length is many digits of θ where it bends beside the clamp.
+    """
+    towards_tip = swing.whole % 2 == 0
+    ahead = swing.arrival if towards_tip else swing.length - swing.arrival
+    if s < 0 or 2 * s >= rod.length:  # series of bins begin before the clamp
+        whole = floor((rod.length - s) / swing.length)
+        return station_at(swing, whole, whole % 2 == 0, rod.length - s - whole * swing.length, s, 0)
+    if s <= ahead:
+        return station_at(swing, swing.whole, towards_tip, ahead - s, s, -1 if towards_tip else 1)
+    turned = floor((s - ahead) / swing.length)
+    over = s - ahead - turned * swing.length
+    return station_at(swing, swing.whole - 1 - turned, towards_tip == (turned % 2 == 0), over, s, 0)
+
+
+def parts(length, stay, regular, middle_stay):
+    """A length from a turning point: straight there, of the motion itself, straight in its middle, and the rest.
+
+    Where the motion stays near its tip, its middle or its far turning point, the rod is straight.
+    """
+    first = min(length, stay)
+    rest = length - first
+    before = min(rest, regular / 2) if middle_stay > 0 else min(rest, regular)
+    middle = min(rest - before, middle_stay)
+    here = min(before + max(rest - before - middle, 0), regular)
+    return first, here, middle, max(rest - middle - here, 0)
+
+
+def next_to_clamp(swing, station, here, left):
+    """Whether a point is nearer to the clamp than to the turning point ahead, with nothing straight between."""
+    stay = swing.stay
+    if station.away == 0 or station.beside > (left if station.away > 0 else here):
+        return False
+    middle = (here + left) / 2
+    same_half = (swing.regular - middle) * (here - middle) > 0 and stay.arrival in (0, stay.middle)
+    return stay.middle == 0 or same_half
+
+
+def phase_before(a, b, square, rest, by):
+    """sin²ψ and cos²ψ at a length before a known phase; by: those at the length itself."""
+    by_square, by_rest = by
+    delta, by_delta = phase_rate(a, b, square, rest), phase_rate(a, b, by_square, by_rest)
+    fall = square - by_square if square < rest else by_rest - rest
+    over = before_over(a, square, rest, by_delta)
+    sine = before_sine(a, square, rest, delta, by_square, by_rest, by_delta, fall)
+    cosine = before_cosine(a, square, rest, delta, by_square, by_rest, by_delta, over)
+    return sine * sine, cosine * cosine
+
+
+def phase_at(a, b, length, left):
+    """sin²ψ and cos²ψ at lengths from the tip and from the half-swing's end: the transformation undone."""
     limit = 2 * epsilon() ** 0.5
     steps = [(a, b)]
     while any_of(abs(a - b) > limit * a):
         a, b = (a + b) / 2, sqrt(a * b)
         steps.append((a, b))
     a, b = (a + b) / 2, sqrt(a * b)
-    mean = (a + b) / 2
-    quarter = pi / (2 * mean)
-    first = 2 * length <= quarter
-    small = sin(mean * pick(first, length, quarter - length))
+    first = length <= left
+    small = sin((a + b) / 2 * pick(first, length, left))
     small = small * small
     square, rest = pick(first, small, 1 - small), pick(first, 1 - small, small)
     for a, b in reversed(steps):
         gap = a - b
         below = pick(gap > 0, back_below(a, b, square), back_below_rest(a, b, rest))
         square, rest = back_square(a, square, below), back_rest(a, b, gap, rest, below)
+        # The larger one is told best by the smaller one, and its rounding would double in each step.
+        square, rest = pick(rest < square, 1 - rest, square), pick(rest < square, rest, 1 - square)
     return square, rest
+
+
+def phase_beside(a, b, square, rest, station, whole):
+    """sin²ψ and cos²ψ of a point beside the clamp by those of the clamp; whole: the length of the half-swing."""
+    length, back = station.beside, whole - station.beside
+    if station.away < 0:
+        return phase_before(a, b, square, rest, phase_at(a, b, length, back))
+    # Seen from the far turning point.
+    square, rest = phase_before(b, a, rest, square, phase_at(b, a, length, back))
+    return rest, square
 
 
 def point_at(motion, square, rest):
@@ -1856,31 +2178,29 @@ def point_at(motion, square, rest):
     return point, atan2(over, under), done
 
 
-def regular_part(rod, motion, length):
-    """θ, dθ/dσ and the arc by the motion alone."""
-    if length <= 0:
-        return motion.tip, 0 * length, Arc(0, 0, 0)
-    square, rest = phase_at(motion.end / 2, motion.middle / 2, length)
+def regular_part(rod, swing, station, here, left):
+    """θ, dθ/dσ and the arc by the motion alone, at its lengths from the tip and from the far turning point."""
+    motion = swing.stay.motion
+    if here <= epsilon() * left:  # where the square of the phase may underflow
+        return motion.tip, 0 * here, Arc(0, 0, 0)
+    a, b = motion.end / 2, motion.middle / 2
+    if next_to_clamp(swing, station, here, left):
+        square, rest = phase_beside(a, b, swing.square, swing.rest, station, here + left)
+    else:
+        square, rest = phase_at(a, b, here, left)
     point, half, low = point_at(motion, square, rest)
-    arc = arc_to(rod.beta, motion, point, square, rest, length)
+    arc = arc_to(rod.beta, motion, point, square, rest, here)
     speed = point_speed(point.strength, low, point.one, point.product)
     return motion.tip + 2 * half, speed, arc
 
 
-def within_swing(rod, swing, length):
-    """θ, dθ/dσ and the arc at a length from the tip within the first half-swing.
-
-    Where the motion stays near its tip, its middle or its far turning point, the rod is straight.
-    """
+def on_swing(rod, swing, station):
+    """θ, dθ/dσ and the arc from the tip at a point of the first half-swing."""
     stay, motion = swing.stay, swing.stay.motion
     regular = swing.length - stay.tip - stay.middle - stay.far
-    tip = min(length, stay.tip)
-    rest = length - tip
-    before = min(rest, regular / 2) if stay.middle > 0 else min(rest, regular)
-    middle = min(rest - before, stay.middle)
-    here = min(before + max(rest - before - middle, 0), regular)
-    far = max(rest - middle - here, 0)
-    angle, speed, arc = regular_part(rod, motion, here)
+    tip, here, middle, far = parts(station.from_tip, stay.tip, regular, stay.middle)
+    _, left, _, _ = parts(station.from_far, stay.far, regular, stay.middle)
+    angle, speed, arc = regular_part(rod, swing, station, here, left)
     for straight, extent in ((motion.tip, tip), (swing.middle_angle, middle), (swing.far_angle, far)):
         if extent > 0:
             arc = Arc(arc.y + extent * cos(straight), arc.z + extent * sin(straight), arc.square)
@@ -1895,12 +2215,10 @@ def angle_and_position(equilibrium, s):
         share, left, bend = s / length, length - s, equilibrium.clamp_curvature
         angle = equilibrium.tip_angle - bend * left * (left / length) / 2
         return angle, bend * (left / length), equilibrium.y * share, equilibrium.z * share
-    sigma = rod.length - ldexp(s, rod.scale)
-    count = floor(sigma / swing.length)
-    within = sigma - count * swing.length
-    back = count % 2 == 1
-    angle, speed, arc = within_swing(rod, swing, swing.length - within if back else within)
-    times = count + 1 if back else count
+    station = station_of(rod, swing, ldexp(s, rod.scale))
+    back = station.whole % 2 == 1
+    angle, speed, arc = on_swing(rod, swing, station)
+    times = station.whole + 1 if back else station.whole
     sign = -1 if back else 1
     y = equilibrium.y - ldexp(times * swing.arc.y + sign * arc.y, -rod.scale)
     z = equilibrium.z - rod.side * ldexp(times * swing.arc.z + sign * arc.z, -rod.scale)

@@ -8,7 +8,8 @@ Formulas, each proved equal to its derivation:
     arc_kink (DLMF 19.29(ii)), arc_kink_each (DLMF 19.29(ii)), arc_kink_tip, arc_kink_tip_each,
     arc_square (DLMF 19.29(ii)), arc_square_each (DLMF 19.29(ii)), arc_y (exsl36), arc_y_each (exsl36),
     arc_z (exsl41), arc_z_each (exsl41), back_below (DLMF 19.8(iii)), back_below_rest (DLMF 19.8(iii)),
-    back_rest (DLMF 19.8(iii)), back_square (DLMF 19.8(iii)), chi_cosine (DLMF 22.6(iii)),
+    back_rest (DLMF 19.8(iii)), back_square (DLMF 19.8(iii)), before_cosine (DLMF 22.8(i)),
+    before_over (DLMF 22.8(i)), before_sine (DLMF 22.8(i)), chi_cosine (DLMF 22.6(iii)),
     chi_coversine (DLMF 22.6(iii)), chi_rate (DLMF 22.6(iii)), chi_scale (DLMF 22.6(iii)),
     chi_square (DLMF 4.21(iii)), chi_square_each (DLMF 4.21(iii)), chi_versine (DLMF 22.6(iii)), far_pair_root,
     far_pair_root_each, far_root, far_root_each, gauss_rest (DLMF 19.8(iii)), gauss_rest_each (DLMF 19.8(iii)),
@@ -26,7 +27,7 @@ Formulas, each proved equal to its derivation:
     strength (exsl17), strength_each (exsl17), tip_cubic, tip_cubic_each, turn_level, turn_over (DLMF 4.21(iii)),
     turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
     w_imag_each (DLMF 19.29(ii)), w_real (DLMF 19.29(ii)), w_real_each (DLMF 19.29(ii))
-Digest of the inputs: sha256 db1fba4791dd03bf6704d08f84a62148ac6b057012fd51b91a2323d8021a8234
+Digest of the inputs: sha256 fe12040f52b7fe76a3293dc12fa0ba8b184c7240229ff7bca07ca34dc16ef3b3
 """
 
 from __future__ import annotations
@@ -65,6 +66,7 @@ __all__ = ["Equilibrium", "Exchange", "Fold", "Shape", "Sweep", "equilibria", "e
 
 # Constants
 
+SAFE = 1e-9  # bounds count where they hold by this much more than they must
 FEW = 64  # points up to which each is computed by itself
 COARSE = 8  # bins up to which a range is not divided to find straight ones in it
 SHORT = 128  # bins up to which none is looked for that is straight
@@ -81,15 +83,21 @@ FEWEST = 16  # rods that are faster on arrays than one by one
 SLOWEST = 250.0  # ℓ√(β + η) from which offsets would be too small for their squares
 NEARLY = 0.3  # how far η may be below the value at which a ridge appears, and still slow motions down, over β + η
 SHARP = 0.01  # the same from which on the dips are too narrow for the samples here
+SURELY = 1e-6  # bounds count where they hold by this much more than they must
 ROUGH_SLOW = 12  # ℓ√(β + η) up to which single precision holds the places of all tips but the most extreme
+HALVINGS = 4  # of the stretch at the low end in which no motion arrives in time
+LATEST = 12.0  # places beyond which a count is its limit, but for the doubts of a hundred thousandth of all ranges
 ROUGH_DEPTH = 28.0  # places up to which squares of offsets are numbers in single precision
+RANGES = 1024  # ranges at once: arrays that stay in the cache
 AROUND = np.concatenate([-0.5 ** np.arange(13), [0], 0.5 ** np.arange(12, -1, -1)])  # places about a dip
-SAMPLES = 16384  # samples taken at once: arrays that stay in the cache
-SPREAD = 2.0**-6  # distance of the places that tell the slope of a branch in single precision
+STEPS = 3  # rough steps, after which most places are right to single precision
+SPREAD = 2.0**-9  # distance of two places from which they tell the slope of a branch in single precision
+WIDE = 0.75  # first step between samples
+CLOSER = 0.25  # the same where those leave a doubt
 LAST = 100  # beyond the rank of any range
+WINDOW = 0.5
 FINEST = 0.4
 ROUGH = 0.02
-WINDOW = 0.5
 FURTHEST = 3
 LEAP = 1e-5
 LEAST = 1e-12
@@ -519,6 +527,30 @@ def pair_root_sum(square, delta):
     Equation DLMF 19.26(iii); proved as swing.pair_root_sum.
     """
     return 2 * delta / sqrt(square)
+
+
+def before_over(first, square, rest, by_delta):
+    """What the cosine of a difference of lengths is divided by; by_delta is Δ at the length taken off.
+
+    Equation DLMF 22.8(i); proved as swing.before_over.
+    """
+    return square * by_delta / first + first * rest / by_delta
+
+
+def before_sine(first, square, rest, delta, by_square, by_rest, by_delta, fall):
+    """sin ψ at the difference of two lengths from the tip, by the difference of their sin²ψ.
+
+    Equation DLMF 22.8(i); proved as swing.before_sine.
+    """
+    return first * fall / ((sqrt(square * by_rest) + delta * sqrt(rest * by_square) / by_delta) * by_delta)
+
+
+def before_cosine(first, square, rest, delta, by_square, by_rest, by_delta, over):
+    """cos ψ at the difference of two lengths from the tip.
+
+    Equation DLMF 22.8(i); proved as swing.before_cosine.
+    """
+    return (delta * sqrt(square * by_square) / first + first * sqrt(rest * by_rest) / by_delta) / over
 
 
 def back_below(first, second, square):
@@ -984,8 +1016,7 @@ def far_pair_root_each(end):
 # Solver
 
 
-@dataclass(frozen=True, slots=True)
-class Rod:
+class Rod(NamedTuple):
     """A rod in units in which β + η is of order one: lengths are 2**scale times the user's.
 
     field_angle: in (−π/2, π/2]; of the mirrored rod where ``side`` is −1.
@@ -1041,9 +1072,12 @@ class Arc(NamedTuple):
     square: float
 
 
-@dataclass(frozen=True, slots=True)
-class Swing:
-    """A half-swing of a bent rod, for its shape: how it was found, its length, and its arc. turns: of the clamp."""
+class Swing(NamedTuple):
+    """A half-swing of a bent rod, for its shape: how it was found, its length, and its arc. turns: of the clamp.
+
+    The clamp lies on the half-swing after ``whole`` of them, at the length ``arrival`` from where the motion is as at
+    the tip, of which ``regular`` is not straight, and at the phase ψ with sin²ψ = square and cos²ψ = rest.
+    """
 
     stay: Stay
     turns: int
@@ -1051,6 +1085,11 @@ class Swing:
     arc: Arc
     middle_angle: float
     far_angle: float
+    whole: int
+    arrival: float
+    regular: float
+    square: float
+    rest: float
 
 
 def not_negative(name: str, value: object) -> float:
@@ -1097,14 +1136,6 @@ def reflected(field_angle):
     if field_angle == 0 or field_angle == pi / 2:
         return field_angle
     return -field_angle
-
-
-def in_order(found):
-    """The list with tips that are nearer than rounding given as equal, where rounding would exchange them."""
-    for k in range(1, len(found)):
-        if found[k].tip_angle < found[k - 1].tip_angle:
-            found[k] = replace(found[k], tip_angle=found[k - 1].tip_angle)
-    return found
 
 
 class Rest(NamedTuple):
@@ -1235,6 +1266,14 @@ def has_second_pair(beta, eta, field_angle):
     return ridge_couple(beta, eta, field_angle, astroid_cusp(field_angle)) > epsilon() ** 0.7 * (beta + eta)
 
 
+def narrowed(low, high, value_low, value_high, place, value):
+    """The interval about a root, with a place in it as its new end."""
+    inside = (abs(place - low) < abs(high - low)) & (abs(high - place) < abs(high - low))
+    rises, falls = inside & (value > 0), inside & (value <= 0)
+    high, value_high = pick(rises, place, high), pick(rises, value, value_high)
+    return pick(falls, place, low), high, pick(falls, value, value_low), value_high
+
+
 def rising_root(function, low, high):
     """The root between low, where the function is negative, and high, where it is positive, by Ridders' method."""
     value_low, value_high = function(low), function(high)
@@ -1246,15 +1285,16 @@ def rising_root(function, low, high):
         exact = (value == 0) | (size == 0)
         trial = pick(exact, middle, middle + (middle - low) * (-value / pick(exact, 1, size)))
         value_trial = function(trial)
-        last = pick(moving, trial, last)
-        above = value > 0
-        high, value_high = pick(above, middle, high), pick(above, value, value_high)
-        low, value_low = pick(above, low, middle), pick(above, value_low, value)
-        inside = abs(trial - low) < abs(high - low), abs(high - trial) < abs(high - low)
-        rises, falls = (value_trial > 0) & inside[0], (value_trial < 0) & inside[1]
-        high, value_high = pick(rises, trial, high), pick(rises, value_trial, value_high)
-        low, value_low = pick(falls, trial, low), pick(falls, value_trial, value_low)
+        settled, last = abs(trial - last) <= 4 * epsilon() * abs(trial), pick(moving, trial, last)
+        low, high, value_low, value_high = narrowed(low, high, value_low, value_high, middle, value)
+        low, high, value_low, value_high = narrowed(low, high, value_low, value_high, trial, value_trial)
         moving = moving & (abs(high - low) > 2 * epsilon() * abs(trial)) & (value_trial != 0) & (exact == 0)
+        if any_of(settled & moving):
+            # The trials stay on one side of the root: is it between them and the next few numbers?
+            beside = trial + pick((value_trial > 0) == (high > low), -2, 2) * epsilon() * abs(trial)
+            beside = pick(settled, beside, trial)
+            low, high, value_low, value_high = narrowed(low, high, value_low, value_high, beside, function(beside))
+            moving = moving & (abs(high - low) > 2 * epsilon() * abs(trial))
         if not any_of(moving):
             break
     return last
@@ -1304,6 +1344,16 @@ def landscape(beta, eta, field_angle):
     if field_angle < 0:
         return mirror_landscape(oblique_landscape(beta, eta, -field_angle))
     return oblique_landscape(beta, eta, field_angle)
+
+
+def landscapes(beta, eta, field_angle):
+    """The landscape of a rod, and that of its mirror image."""
+    if reflected(field_angle) == field_angle:
+        scene = landscape(beta, eta, field_angle)
+        return scene, scene
+    scene = landscape(beta, eta, abs(field_angle))
+    mirrored = mirror_landscape(scene)
+    return (scene, mirrored) if field_angle > 0 else (mirrored, scene)
 
 
 def offset_from(rest, angle, turns):
@@ -1378,33 +1428,46 @@ def fall(eta, rest, start, change):
     return fall_from_rest(eta, rest.stiffness, rest.double_cosine, rest.double_sine, start + half, half)
 
 
-def moment_from_rest(eta, stiffness, double_cosine, double_sine, offset):
-    """θ″ = −V′ at an offset from a direction without moment."""
-    return rest_moment(eta, stiffness, double_cosine, double_sine, sin(offset / 2), cos(offset / 2))
+def pick_rest(condition, yes, no):
+    """One or the other direction, number by number."""
+    return Rest(*(pick(condition, *pair) for pair in zip(yes, no, strict=True)))
 
 
-def slope(eta, rest, offset):
-    """θ″ at an offset from a direction without moment."""
-    return moment_from_rest(eta, rest.stiffness, rest.double_cosine, rest.double_sine, offset)
+def step_to(eta, rest, offset, goal):
+    """Newton's step to where the square root of the change of V from a direction without moment is ``goal``, and by
+    how much its slope changes half way there, as a share of it."""
+    small, large = sin(offset / 4), cos(offset / 4)
+    sine, cosine = 2 * small * large, 1 - 2 * small * small
+    level = rest_fall(eta, rest.stiffness, rest.double_cosine, rest.double_sine, small, large, small, large)
+    force = abs(rest_moment(eta, rest.stiffness, rest.double_cosine, rest.double_sine, sine, cosine))
+    here, force = sqrt(abs(level)), larger(force, epsilon() ** 20)
+    whole_sine, whole_cosine = 2 * sine * cosine, 1 - 2 * sine * sine
+    # dθ″/dθ, by β and α as the direction has them.
+    turned = rest.double_cosine * (2 * whole_cosine * whole_cosine - 1 - whole_cosine)
+    turned = turned - rest.double_sine * whole_sine * (2 * whole_cosine - 0.5)
+    bend = (rest.stiffness * whole_cosine + eta * turned) * (here / force) * (here / force)
+    share = (here - goal) / larger(here, epsilon() ** 20)
+    return 2 * here * (here - goal) / force, share * (pick(level < 0, -bend, bend) - 0.5)
 
 
 def reach(eta, rest, amount, most, side):
     """The distance from a hill (or a well) at which V is lower (or higher) by ``amount``, to one side.
 
-    most: the distance of the next well (or hill). Newton's method for the square root of the difference, which is
+    most: the distance of the next well (or hill). Halley's method for the square root of the difference, which is
     nearly linear, from the pendulum's value.
     """
     amount = larger(amount, 0)  # of a hill and a well that nearly meet, rounding may give less
     share = amount / larger(abs(fall(eta, rest, 0, side * most)), epsilon() ** 20)
     near = most * asin(sqrt(pick(share < 1, share, 1))) * (2 / pi)
-    goal, moving = sqrt(amount), True
+    goal = sqrt(amount)
     for _ in range(40):
-        here = sqrt(abs(fall(eta, rest, 0, side * near)))
-        force = larger(abs(slope(eta, rest, side * near)), epsilon() ** 20)
-        trial = near - 2 * here * (here - goal) / force
+        step, bent = step_to(eta, rest, side * near, goal)
+        safe = abs(bent) < 0.5
+        trial = near - step / pick(safe, 1 - bent, 1)
         trial = pick(trial > most, (near + most) / 2, pick(trial < 0, near / 2, trial))
-        # Newton's method squares the error: after a step this small the next one would change nothing.
-        moving, near = abs(trial - near) > spacing(trial) ** 0.6 * near, trial
+        # The method cubes the error, and Newton's squares it: after steps this small the next would change nothing.
+        small = pick(safe, spacing(trial) ** 0.45, spacing(trial) ** 0.6)
+        moving, near = abs(trial - near) > small * near, trial
         if not any_of(moving):
             break
     return near
@@ -1413,7 +1476,12 @@ def reach(eta, rest, amount, most, side):
 def ridge_ground(eta, scene, at, drop):
     """The ground with a lower ridge."""
     rests = scene.rests
-    level = reach(eta, rests[0], drop, rests[1].angle - rests[0].angle, 1)
+    down, above = rests[1].angle - rests[0].angle, fall(eta, rests[2], 0, rests[1].angle - rests[2].angle)
+    # Of a ridge that is next to its wells V tells at the hill nothing.
+    by_hill = drop < above
+    rest, amount = pick_rest(by_hill, rests[0], rests[1]), pick(by_hill, drop, above)
+    distance = reach(eta, rest, amount, down, pick(by_hill, 1, -1))
+    level = pick(by_hill, distance, down - distance)
     # Near the far hill V says which is higher only by the distance from that hill.
     height = pick(at[2] < -at[4], fall(eta, rests[2], 0, at[2]), fall(eta, rests[4], 0, at[4]) - drop)
     return Ground(eta, scene, at, drop, level, height)
@@ -1434,11 +1502,6 @@ def ground_of(beta, eta, field_angle, scene, clamp):
 def in_basin(at, first, inside, builders):
     """The range of a clamp inside a basin: one before the well and at it, another beyond."""
     return [(inside & (at[first + 1] <= 0), builders[0]), (inside & (at[first + 1] > 0), builders[1])]
-
-
-def pick_rest(condition, yes, no):
-    """One or the other direction, number by number."""
-    return Rest(*(pick(condition, *pair) for pair in zip(yes, no, strict=True)))
 
 
 class Basin(NamedTuple):
@@ -1485,7 +1548,8 @@ def piece_of(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_ga
     rest, offset = rests[0], at[0]
     for other, distance in zip(rests[1:], at[1:], strict=False):
         closer = abs(distance) < abs(offset)
-        rest, offset = pick_rest(closer, other, rest), pick(closer, distance, offset)
+        if any_of(closer):
+            rest, offset = pick_rest(closer, other, rest), pick(closer, distance, offset)
     last = at[len(rests) - 1]
     return Piece(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last)
 
@@ -1555,11 +1619,21 @@ def pass_level(ground):
     return piece_of(over, "hill", "level", 0, level, over.well.angle - over.hill.angle - level, at[0] - level, 0, at)
 
 
-def onward(eta, rest, start, amount, rough):
+def moment_from_rest(eta, stiffness, double_cosine, double_sine, offset):
+    """θ″ = −V′ at an offset from a direction without moment."""
+    return rest_moment(eta, stiffness, double_cosine, double_sine, sin(offset / 2), cos(offset / 2))
+
+
+def slope(eta, rest, offset):
+    """θ″ at an offset from a direction without moment."""
+    return moment_from_rest(eta, rest.stiffness, rest.double_cosine, rest.double_sine, offset)
+
+
+def onward(eta, rest, start, amount, rough, wanted):
     """How far beyond ``start``, an offset from a direction without moment, V has fallen by ``amount``.
 
     The rough value is good to rounding of the angles; where little of it is left, the slope of V at the start gives a
-    better one. Newton's method does the rest.
+    better one. Newton's method does the rest, until all that are wanted are found.
     """
     steep = slope(eta, rest, start)
     told = (abs(rough) > 1e-3 * abs(start)) | (steep == 0)
@@ -1567,8 +1641,10 @@ def onward(eta, rest, start, amount, rough):
     for _ in range(40):
         force = slope(eta, rest, start + distance)
         step = (fall(eta, rest, start, distance) - amount) / pick(force == 0, 1, force)
-        distance = pick(abs(distance - step) > pi, rough, distance - step)
-        if not any_of(abs(step) > spacing(distance) ** 0.6 * abs(distance)):
+        away = abs(distance - step) > pi
+        stuck = away & (distance == rough)
+        distance = pick(away, rough, distance - step)
+        if not any_of(wanted & (stuck == 0) & (abs(step) > spacing(distance) ** 0.6 * abs(distance))):
             break
     return distance
 
@@ -1579,7 +1655,8 @@ def pass_turn(ground):
     down = over.well.angle - over.hill.angle
     width = -at[4] if over.even else reach(eta, over.hill, fall(eta, over.far, 0, at[4]), down, 1)
     # Towards the hill V is flat and tells little, but there the angles tell all.
-    gap = pick(width < level / 2, level - width, -onward(eta, over.hill, level, ground.height, width - level))
+    near = width >= level / 2
+    gap = pick(near, -onward(eta, over.hill, level, ground.height, width - level, near), level - width)
     return piece_of(over, "hill", "turn", 0, width, down - width, at[0] - width, gap, at)
 
 
@@ -1597,7 +1674,7 @@ def level_turn(ground):
     from_well = reach(eta, basin.well, above, down, -1)
     # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
     from_hill = reach(eta, basin.hill, ground.drop + below, down, 1)
-    near = onward(eta, basin.hill, level, below, from_hill - level)
+    near = onward(eta, basin.hill, level, below, from_hill - level, True)
     width = pick(below < above / 4, near, down - level - from_well)
     return piece_of(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
 
@@ -1716,9 +1793,10 @@ def beyond_clamp(eta, piece, drop, rough):
     basin, rest, start = piece.basin, piece.clamp_rest, piece.clamp_offset
     high = -piece.high_depth
     amount = fall(eta, basin.well, high - drop, drop)
-    better = onward(eta, rest, start, -amount, rough)
+    far = rough > 0.25 * abs(start)
+    better = onward(eta, rest, start, -amount, rough, far == 0)
     # Newton's method leaves a place where V is nearly level for one far away.
-    return pick((rough > 0.25 * abs(start)) | (abs(better - rough) > 0.01), rough, better)
+    return pick(far | (abs(better - rough) > 0.01), rough, better)
 
 
 def far_side(eta, piece, rise, drop, depth, done):
@@ -1777,25 +1855,37 @@ def above_field(eta, basin, middle, half_width, field_angle, height):
     return (height + fall(eta, basin.axis, 0, offset)) / pick(turn == 0, 1, turn)
 
 
+def mean_less_field(eta, field_angle, basin, middle, half_width, double, near, far, height, mean):
+    """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
+    level."""
+    apart = mean - eta
+    close = apart <= 0.1 * eta
+    if any_of(close):
+        ahead, behind = sin(half_width / 2 + double / 2), sin(half_width / 2 - double / 2)
+        by_far, by_near = far - 2 * eta * ahead * ahead, near - 2 * eta * behind * behind
+        known = pick(2 * by_far > far, by_far, by_near)
+        far_off = close & (2 * by_far <= far) & (2 * by_near <= near)
+        if any_of(far_off):
+            known = pick(far_off, above_field(eta, basin, middle, half_width, field_angle, height), known)
+        apart = pick(close, known, apart)
+    # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.
+    least = larger(height, epsilon() ** 19) if basin.passes else epsilon() * pick(near < far, near, far) / 4
+    return larger(apart, least)
+
+
 def rates(beta, eta, field_angle, basin, tip, half_width, sine, near, far, height):
     """dχ/dσ at the ends and in the middle of the motion."""
     middle, cosine = tip + half_width, cos(half_width)
     double = 2 * (middle - field_angle)
+    cos_middle, cos_double = cos(middle), cos(double)
     product = sqrt(near) * sqrt(far)
-    excess = -(2 * beta * cos(middle) * cosine + eta * cos(double) * (1 + cosine * cosine))
-    mean = -(2 * beta * cos(middle) + eta * cosine * cos(double))
-    # mean − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to level.
-    ahead, behind = sin(half_width / 2 + double / 2), sin(half_width / 2 - double / 2)
-    by_far, by_near = far - 2 * eta * ahead * ahead, near - 2 * eta * behind * behind
-    apart = above_field(eta, basin, middle, half_width, field_angle, height)
-    apart = pick(2 * by_near > near, by_near, apart)
-    apart = pick(2 * by_far > far, by_far, apart)
-    apart = pick(mean - eta > 0.1 * eta, mean - eta, apart)
-    # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.
-    least = larger(height, epsilon() ** 19) if basin.passes else epsilon() * pick(near < far, near, far) / 4
-    apart = larger(apart, least)
-    split = sine * sqrt(apart * (mean + eta) / pick(excess < 0, product - excess, 1))
-    return sqrt(product / 2), pick(excess < 0, split, sqrt(product + larger(excess, 0))) / 2
+    excess = -(2 * beta * cos_middle * cosine + eta * cos_double * (1 + cosine * cosine))
+    split, rate = excess < 0, sqrt(product + larger(excess, 0))
+    if any_of(split):
+        mean = -(2 * beta * cos_middle + eta * cosine * cos_double)
+        apart = mean_less_field(eta, field_angle, basin, middle, half_width, double, near, far, height, mean)
+        rate = pick(split, sine * sqrt(apart * (mean + eta) / pick(split, product - excess, 1)), rate)
+    return sqrt(product / 2), rate / 2
 
 
 def motion_at(beta, eta, field_angle, piece: Piece, place):
@@ -1912,59 +2002,58 @@ def lengths(a, b, square, rest):
     return pi / (2 * mean), atan2(sqrt(square), sqrt(rest)) / mean
 
 
-def times(motion):
-    """Half-swing, and the length from the tip to the clamp."""
-    phase = phase_of(motion)
-    return lengths(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
-
-
 class Sample(NamedTuple):
-    """Half-swing and first arrival at a place of a piece."""
+    """Half-swing and first arrival at a place of a piece, and of what they are: the motion and its phase at the clamp.
+
+    The motion alone has the half-swing and the arrival without the lengths for which it stays anywhere.
+    """
 
     place: float
     swing: float
     arrival: float
+    stay: Stay
+    phase: Phase
+    regular: tuple[float, float]
 
 
 def sample_at(beta, eta, field_angle, piece, ends, place):
     """The sample at a place."""
     stay = stay_at(beta, eta, field_angle, piece, ends, place)
-    swing, arrival = times(stay.motion)
-    return Sample(place, swing + stay.tip + stay.middle + stay.far, arrival + stay.tip + stay.arrival)
+    motion = stay.motion
+    phase = phase_of(motion)
+    regular = swing, arrival = lengths(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
+    swing, arrival = swing + stay.tip + stay.middle + stay.far, arrival + stay.tip + stay.arrival
+    return Sample(place, swing, arrival, stay, phase, regular)
 
 
-def bends(first, second, third, length):
-    """Whether the curves bend so much at the second sample that a count may reach a whole number unseen beside it.
+def least_arrival(beta, eta, piece, place):
+    """A length before which no motion from a place, or from a lower one, arrives.
 
-    By how far the straight line through two samples misses the third.
+    θ″ is nowhere more than β + η/2, and at an offset from the hill no more than β + η times that: a motion that has
+    the lesser of these two gets ahead of it.
     """
-    share = (third.place - second.place) / (second.place - first.place)
-    swing = third.swing - second.swing - share * (second.swing - first.swing)
-    arrival = third.arrival - second.arrival - share * (second.arrival - first.arrival)
-    least = min(first.swing, second.swing, third.swing)
-    reach = (abs(arrival) + (length / least * abs(swing) if length > least else 0)) / (2 * least)
-    for sign in (1, -1):
-        for item in (first, second, third):
-            count = (length - sign * item.arrival) / (2 * item.swing)
-            whole = floor(count + 0.5)
-            if abs(count - whole) < reach and (whole > 0 or (whole == 0 and sign > 0)):
-                return True
-    return False
+    steep, most = beta + eta, beta + eta / 2
+    share = 1 / (1 + exp(-max(place, -deepest(piece.width))))
+    offset = piece.low_offset + piece.width * share
+    clamp = piece.low_offset + piece.width + piece.clamp_gap
+    bend = min(clamp, most / steep)
+    arrival, speed = 0.0, 0.0
+    if offset < bend:
+        ratio = bend / offset
+        away = sqrt((ratio - 1) * (ratio + 1))
+        arrival, speed = log(ratio + away) / sqrt(steep), sqrt(steep) * away * offset
+    rest = clamp - max(offset, bend)
+    return arrival + (2 * rest / (speed + sqrt(speed * speed + 2 * most * rest)) if rest > 0 else 0)
 
 
-def refined(sample, samples, length):
-    """More samples where half-swing or arrival bend between neighbours, as far as the rod's length is sensitive."""
-    done, todo = [samples[0]], samples[:0:-1]
-    while todo:
-        before, after = done[-1], todo[-1]
-        apart = after.place - before.place > 1.3
-        beside = [(done[-2], before, after)] if len(done) > 1 else []
-        beside += [(before, after, todo[-2])] if len(todo) > 1 else []
-        if apart and any(bends(one, two, three, length) for one, two, three in beside):
-            todo.append(sample((before.place + after.place) / 2))
-        else:
-            done.append(todo.pop())
-    return done
+def fall_between(eta, piece, one, other):
+    """How far V falls from the tip at a place to that at a higher one."""
+    rise, drop = piece.width / (1 + exp(-one)), piece.width / (1 + exp(one))
+    further = piece.width / (1 + exp(-other)) - rise if one < 0 else drop - piece.width / (1 + exp(other))
+    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
+    if from_hill < depth:
+        return fall(eta, piece.basin.hill, from_hill, further)
+    return fall(eta, piece.basin.well, -depth, further)
 
 
 def grid(beta, eta, length, piece):
@@ -2012,19 +2101,167 @@ def places(beta, eta, field_angle, length, piece):
     return sorted([*found, *(place for place in around if found[0] < place < found[-1])])
 
 
+def arrives_convexly(field_angle, piece):
+    """Whether the first arrival is a convex function of the energy V(tip): see docs/solver.md."""
+    basin = piece.basin
+    known = basin.even or (field_angle == 0 and basin.far_rise == 0)
+    return known and piece.clamp_gap > piece.high_depth
+
+
+def convex_bound(found, gap, fallen):
+    """What a convex arrival is nowhere less than in a gap between samples: the chords beside it, carried on."""
+    one, other = found[gap], found[gap + 1]
+    width, bound = fallen(one, other), -inf
+    for near, far in ((gap, gap - 1), (gap + 1, gap + 2)):
+        if 0 <= far < len(found):
+            beside = fallen(found[min(near, far)], found[max(near, far)])
+            if beside > 0:
+                steep = (found[far].arrival - found[near].arrival) / beside
+                bound = max(bound, found[near].arrival - max(steep * width, 0))
+    return bound
+
+
+def open_gap(found, fallen, length):
+    """The wider gap beside the least sample in which a convex arrival may be no longer than the length, or None."""
+    least = min(range(len(found)), key=lambda k: found[k].arrival)
+    best, widest = None, 2 * sqrt(epsilon()) * (1 + abs(found[least].place))
+    for gap in (least - 1, least):
+        if 0 <= gap < len(found) - 1:
+            width = found[gap + 1].place - found[gap].place
+            if width > widest and convex_bound(found, gap, fallen) <= (1 + SAFE) * length:
+                best, widest = gap, width
+    return best
+
+
+def inner(places, one, other, always):
+    """The middle one of the places between two samples; where there is none, half way if ``always``, else None."""
+    inside = [place for place in places if one.place < place < other.place]
+    if inside:
+        return inside[len(inside) // 2]
+    return (one.place + other.place) / 2 if always else None
+
+
+def valley(sample, places, fallen, length):
+    """Samples on both sides of every crossing of a length that is shorter than a half-swing, for a convex arrival.
+
+    Without a crossing there may be none. fallen(one, other): how far V falls from the tip of a sample to the next.
+    """
+    found = [sample(place) for place in sorted({places[0], places[len(places) // 2], places[-1]})]
+    while min(item.arrival for item in found) > length:
+        gap = open_gap(found, fallen, length)
+        if gap is None:
+            return []
+        found.insert(gap + 1, sample(inner(places, found[gap], found[gap + 1], True)))
+    done, todo = [found[0]], found[:0:-1]
+    while todo:
+        crossed = (done[-1].arrival > length) != (todo[-1].arrival > length)
+        place = inner(places, done[-1], todo[-1], False) if crossed else None
+        if place is None:
+            done.append(todo.pop())
+        else:
+            todo.append(sample(place))
+    return done
+
+
+def bends(first, second, third, length):
+    """Whether the curves bend so much at the second sample that a count may reach a whole number unseen beside it.
+
+    By how far the straight line through two samples misses the third.
+    """
+    share = (third.place - second.place) / (second.place - first.place)
+    swing = third.swing - second.swing - share * (second.swing - first.swing)
+    arrival = third.arrival - second.arrival - share * (second.arrival - first.arrival)
+    least = min(first.swing, second.swing, third.swing)
+    reach = (abs(arrival) + (length / least * abs(swing) if length > least else 0)) / (2 * least)
+    for sign in (1, -1):
+        for item in (first, second, third):
+            count = (length - sign * item.arrival) / (2 * item.swing)
+            whole = floor(count + 0.5)
+            if abs(count - whole) < reach and (whole > 0 or (whole == 0 and sign > 0)):
+                return True
+    return False
+
+
+def refined(sample, samples, length):
+    """More samples where half-swing or arrival bend between neighbours, as far as the rod's length is sensitive."""
+    done, todo = [samples[0]], samples[:0:-1]
+    while todo:
+        before, after = done[-1], todo[-1]
+        apart = after.place - before.place > 1.3
+        beside = [(done[-2], before, after)] if len(done) > 1 else []
+        beside += [(before, after, todo[-2])] if len(todo) > 1 else []
+        if apart and any(bends(one, two, three, length) for one, two, three in beside):
+            todo.append(sample((before.place + after.place) / 2))
+        else:
+            done.append(todo.pop())
+    return done
+
+
+def falls(one, other):
+    """Whether no branch is longer at the second one."""
+    less, apart = one.swing - other.swing, one.arrival - other.arrival
+    return apart >= 0 and 2 * less >= apart
+
+
+def sampled(sample, places, first, soon):
+    """Samples from the first place on to one from which the motion arrives soon.
+
+    Nothing before and after is as long as the rod. One more is taken where the branches do not fall from there, or to
+    there.
+    """
+    found = [sample(place) for place in places[first : first + 2]]
+    for place in places[first + 2 :]:
+        if found[-1].arrival < soon and found[-1].arrival < found[-2].arrival:
+            break
+        found.append(sample(place))
+    while first > 0 and not falls(*found[:2]):
+        first -= 1
+        found.insert(0, sample(places[first]))
+    return found
+
+
 def end_sample(piece, last):
     """The high end itself, where its times are known: arrival at once, or after the whole half-swing."""
     if piece.high_kind == "clamp" and piece.clamp_gap == 0 and piece.high_depth > 0:
-        return Sample(last.place + 1e3, last.swing, 0 * last.swing)
+        return last._replace(place=last.place + 1e3, arrival=0 * last.swing)
     if piece.high_kind == "turn":
-        return Sample(last.place + 1e3, last.swing, last.swing)
+        return last._replace(place=last.place + 1e3, arrival=last.swing)
     return None
 
 
-def between(one, other, count_one, count_other, beside):
-    """The whole numbers from the lower count up to, but not at, the higher one."""
-    low, high = (count_one, count_other) if count_one < count_other else (count_other, count_one)
-    return [(turns, one, other, beside) for turns in range(max(ceil(low), 0), max(ceil(high), 0))]
+def samples_on(beta, eta, field_angle, length, piece, sample, short):
+    """Samples of a piece, near enough for all crossings; short: the rod is shorter than any half-swing."""
+
+    def too_low(place):
+        return least_arrival(beta, eta, piece, place) > (1 + SAFE) * length
+
+    def fallen(one, other):
+        return fall_between(eta, piece, one.place, other.place)
+
+    if too_low(inf):
+        return []
+    wanted = places(beta, eta, field_angle, length, piece)
+    first = 0
+    while first + 2 < len(wanted) and too_low(wanted[first + 1]):
+        first += 1
+    if short and arrives_convexly(field_angle, piece):
+        return valley(sample, wanted[first:], fallen, length)
+    # A motion that arrives before the stiffest pendulum is down arrives the sooner, the nearer its tip (Sturm).
+    quarter = pi / 2 / sqrt(beta + eta)
+    soon = (1 - SAFE) * min(quarter, length) if short and piece.high_kind == "clamp" else 0
+    samples = refined(sample, sampled(sample, wanted, first, soon), length)
+    end = end_sample(piece, samples[-1])
+    return samples if end is None else [*samples, end]
+
+
+def between(samples, counts, k):
+    """The whole numbers from the lower count of a sample and that before it up to, but not at, the higher one."""
+    low, high = (counts[k - 1], counts[k]) if counts[k - 1] < counts[k] else (counts[k], counts[k - 1])
+    turns = range(max(ceil(low), 0), max(ceil(high), 0))
+    if not turns:
+        return []
+    beside = samples[k - 2] if k > 1 else samples[-1] if len(samples) == k + 1 else samples[k + 1]
+    return [(number, samples[k - 1], samples[k], beside) for number in turns]
 
 
 def dip(sample, short, left, middle, right):
@@ -2074,8 +2311,7 @@ def brackets(sample, samples, counts, length, sign):
     """(turns, sample, sample, a third) for every whole number that the count crosses between the two samples."""
     found = []
     for k in range(1, len(samples)):
-        beside = samples[k - 2] if k > 1 else samples[-1] if len(samples) == k + 1 else samples[k + 1]
-        found += between(samples[k - 1], samples[k], counts[k - 1], counts[k], beside)
+        found += between(samples, counts, k)
     for k in range(1, len(samples) - 1):
         before, here, after = counts[k - 1 : k + 2]
         if (before - here) * (after - here) > 0:
@@ -2096,18 +2332,17 @@ def interpolated(a, b, c, value_a, value_b, value_c):
     if x <= 0 or y * y >= x or (1 - y) * (1 - y) >= 1 - x:
         return 0.5
     share = value_a / (value_b - value_a) * value_c / (value_b - value_c)
-    return share + (c - a) / (b - a) * value_a / (value_c - value_a) * value_b / (value_c - value_b)
+    share = share + (c - a) / (b - a) * value_a / (value_c - value_a) * value_b / (value_c - value_b)
+    return share if 0 < share < 1 else 0.5
 
 
 def bracketed_root(function, places, values, blur):
     """A sign change of the function between the first two places, to rounding, by Chandrupatla's method (1997).
 
-    The third place has a value, too. blur: a value that rounding may have made of zero.
+    If there is a third place, it has a value, too. blur: a value that rounding may have made of zero.
     """
-    (a, b, c), (value_a, value_b, value_c) = places, values
-    fraction = interpolated(a, b, c, value_a, value_b, value_c)
-    if not 0 < fraction < 1:
-        fraction = 0.5
+    (a, b, *third), (value_a, value_b, *value_third) = places, values
+    fraction = interpolated(a, b, third[0], value_a, value_b, value_third[0]) if third else 0.5
     while True:
         trial = a + fraction * (b - a)
         value = function(trial)
@@ -2126,7 +2361,7 @@ def bracketed_root(function, places, values, blur):
 class Crossing(NamedTuple):
     """A tip whose rod has the right length, on branch 2·turns·H + sign·t; ``rising``: the branch grows with the tip."""
 
-    place: float
+    sample: Sample
     turns: int
     sign: int
     rising: bool
@@ -2134,15 +2369,16 @@ class Crossing(NamedTuple):
 
 def crossing(sample, turns, sign, length, before, after, beside):
     """The crossing between two samples on either side of it; a third one beside them helps to start."""
+    seen = {}
 
     def function(place):
-        return excess(sample(place), turns, sign, length)
+        seen[place] = sample(place)
+        return excess(seen[place], turns, sign, length)
 
-    low, high = excess(before, turns, sign, length), excess(after, turns, sign, length)
-    third = excess(beside, turns, sign, length)
-    points = (before.place, after.place, beside.place), (low, high, third)
-    place = bracketed_root(function, *points, epsilon() * length)
-    return Crossing(place, turns, sign, high > low)
+    known = (before, after, beside)
+    values = [excess(item, turns, sign, length) for item in known]
+    place = bracketed_root(function, [item.place for item in known], values, epsilon() * length)
+    return Crossing(seen.get(place) or sample(place), turns, sign, values[1] > values[0])
 
 
 def crossings(beta, eta, field_angle, length, piece, most):
@@ -2153,13 +2389,10 @@ def crossings(beta, eta, field_angle, length, piece, most):
         return sample_at(beta, eta, field_angle, piece, ends, place)
 
     # No half-swing is shorter than that of the stiffest pendulum.
-    signs = (1,) if length * sqrt(beta + eta) < pi else (1, -1)
-    samples = refined(sample, [sample(place) for place in places(beta, eta, field_angle, length, piece)], length)
-    end = end_sample(piece, samples[-1])
-    if end is not None:
-        samples.append(end)
+    short = length * sqrt(beta + eta) < pi
+    samples = samples_on(beta, eta, field_angle, length, piece, sample, short)
     found = []
-    for sign in signs:
+    for sign in (1,) if short else (1, -1):
         counts = [(length - sign * item.arrival) / (2 * item.swing) for item in samples]
         for turns, before, after, beside in brackets(sample, samples, counts, length, sign):
             # At least 2·turns − 1 conjugate points, or one more on the branch that has gone on.
@@ -2312,10 +2545,8 @@ def clamp_point(motion, phase):
 def bent_rod(rod, turns, piece, crossing, index):
     """The equilibrium of a tip on its branch."""
     beta, eta, field_angle, length = rod.beta, rod.eta, rod.field_angle, rod.length
-    stay = stay_at(beta, eta, field_angle, piece, delays(piece), crossing.place)
+    stay, phase, (swing, arrival) = crossing.sample.stay, crossing.sample.phase, crossing.sample.regular
     motion, basin = stay.motion, piece.basin
-    phase = phase_of(motion)
-    swing, arrival = times(motion)
     whole = Arc(0, 0, 0)  # not asked for within the first half-swing
     if crossing.turns:
         whole = arc_to(beta, eta, field_angle, motion, far_point(motion), 1, 0, swing)
@@ -2330,7 +2561,9 @@ def bent_rod(rod, turns, piece, crossing, index):
     gamma = 2 * beta * cos(motion.tip) + eta * aligned * aligned
     energy = gamma * length / 2 - 2 * beta * y - square
     scale = rod.scale
-    total = swing + stay.tip + stay.middle + stay.far
+    first = arrival + stay.tip + stay.arrival
+    # The length of the rod is better known than that of a half-swing.
+    half_swing = (length - sign * first) / both if both else swing + stay.tip + stay.middle + stay.far
     return Equilibrium(
         rod.side * (motion.tip + 2 * pi * turns),
         -rod.side * sign * ldexp(speed, scale),
@@ -2340,24 +2573,42 @@ def bent_rod(rod, turns, piece, crossing, index):
         ldexp(energy, scale),
         index,
         rod,
-        Swing(stay, turns, total, whole, basin.axis.angle, basin.far.angle),
+        Swing(
+            stay,
+            turns,
+            half_swing,
+            whole,
+            basin.axis.angle,
+            basin.far.angle,
+            both if sign > 0 else both - 1,
+            first,
+            arrival,
+            phase.square,
+            phase.rest,
+        ),
     )
 
 
-def below(rod, most):
+def below(rod, scene, clamp, most):
     """The equilibria with tips below the clamp angle, from the lowest up; tips may be nearer than rounding."""
     beta, eta, field_angle = rod.beta, rod.eta, rod.field_angle
-    scene = landscape(beta, eta, field_angle)
-    clamp = clamp_in(scene.rests, rod.clamp_angle)
     found = []
     for piece in pieces(beta, eta, field_angle, scene, clamp):
         if not piece.width > 0:  # the clamp angle is at the level of the ridge, to rounding
             continue
         here = crossings(beta, eta, field_angle, rod.length, piece, most)
-        for crossing in sorted(here, key=lambda item: item.place):
+        for crossing in sorted(here, key=lambda item: item.sample.place):
             index = index_of(crossing)
             if index <= most:
                 found.append(bent_rod(rod, clamp.turns, piece, crossing, index))
+    return found
+
+
+def in_order(found):
+    """The list with tips that are nearer than rounding given as equal, where rounding would exchange them."""
+    for k in range(1, len(found)):
+        if found[k].tip_angle < found[k - 1].tip_angle:
+            found[k] = replace(found[k], tip_angle=found[k - 1].tip_angle)
     return found
 
 
@@ -2396,11 +2647,9 @@ def straight_rod(rod, rest):
     )
 
 
-def straight(rod, most):
+def straight(rod, scene, clamp, most):
     """The straight equilibrium, if the clamp angle is a direction without moment."""
-    scene = landscape(rod.beta, rod.eta, rod.field_angle)
-    offsets = clamp_in(scene.rests, rod.clamp_angle).offsets
-    found = [straight_rod(rod, rest) for rest, offset in zip(scene.rests, offsets, strict=True) if offset == 0]
+    found = [straight_rod(rod, rest) for rest, offset in zip(scene.rests, clamp.offsets, strict=True) if offset == 0]
     return [item for item in found if item.index <= most]
 
 
@@ -2413,7 +2662,10 @@ def all_equilibria(beta, eta, length, clamp_angle, field_angle, max_index):
     field = principal(field_angle)
     rod = Rod(ldexp(beta, -2 * scale), ldexp(eta, -2 * scale), ldexp(length, scale), clamp_angle, field, 1, scale)
     mirrored = Rod(rod.beta, rod.eta, rod.length, -clamp_angle, reflected(field), -1, scale)
-    return in_order([*below(rod, most), *straight(rod, most), *below(mirrored, most)[::-1]])
+    scene, other = landscapes(rod.beta, rod.eta, rod.field_angle)
+    clamp = clamp_in(scene.rests, rod.clamp_angle)
+    above = below(mirrored, other, clamp_in(other.rests, mirrored.clamp_angle), most)
+    return in_order([*below(rod, scene, clamp, most), *straight(rod, scene, clamp, most), *above[::-1]])
 
 
 def integer(name: str, value: Any) -> int:
@@ -2437,25 +2689,108 @@ def index_limit(max_index):
     return limit
 
 
-def phase_at(a, b, length):
-    """sin²ψ and cos²ψ at a length from the tip within the half-swing: the transformation undone."""
+class Station(NamedTuple):
+    """A point of the rod on its half-swing: lengths from the tip and from the far turning point.
+
+    whole: half-swings between the tip and the one it lies on, which is run through backwards where that is odd.
+    beside: the length from the clamp; away: 1 where the motion from the tip is beyond the clamp there, −1 where it is
+    before it, 0 where a turning point lies between.
+    """
+
+    whole: int
+    from_tip: float
+    from_far: float
+    beside: float
+    away: int
+
+
+def station_at(swing, whole, from_tip, length, beside, away):
+    """The station at a length from the tip, or from the far turning point."""
+    other = swing.length - length
+    near, far = (length, other) if from_tip else (other, length)
+    return Station(whole, near, far, beside, away)
+
+
+def station_of(rod, swing, s):
+    """The point at a length from the clamp, measured from the nearer end of the rod.
+
+    The last digit of a long rod's length is many digits of θ where it bends beside the clamp.
+    """
+    towards_tip = swing.whole % 2 == 0
+    ahead = swing.arrival if towards_tip else swing.length - swing.arrival
+    if s < 0 or 2 * s >= rod.length:  # series of bins begin before the clamp
+        whole = floor((rod.length - s) / swing.length)
+        return station_at(swing, whole, whole % 2 == 0, rod.length - s - whole * swing.length, s, 0)
+    if s <= ahead:
+        return station_at(swing, swing.whole, towards_tip, ahead - s, s, -1 if towards_tip else 1)
+    turned = floor((s - ahead) / swing.length)
+    over = s - ahead - turned * swing.length
+    return station_at(swing, swing.whole - 1 - turned, towards_tip == (turned % 2 == 0), over, s, 0)
+
+
+def parts(length, stay, regular, middle_stay):
+    """A length from a turning point: straight there, of the motion itself, straight in its middle, and the rest.
+
+    Where the motion stays near its tip, its middle or its far turning point, the rod is straight.
+    """
+    first = min(length, stay)
+    rest = length - first
+    before = min(rest, regular / 2) if middle_stay > 0 else min(rest, regular)
+    middle = min(rest - before, middle_stay)
+    here = min(before + max(rest - before - middle, 0), regular)
+    return first, here, middle, max(rest - middle - here, 0)
+
+
+def next_to_clamp(swing, station, here, left):
+    """Whether a point is nearer to the clamp than to the turning point ahead, with nothing straight between."""
+    stay = swing.stay
+    if station.away == 0 or station.beside > (left if station.away > 0 else here):
+        return False
+    middle = (here + left) / 2
+    same_half = (swing.regular - middle) * (here - middle) > 0 and stay.arrival in (0, stay.middle)
+    return stay.middle == 0 or same_half
+
+
+def phase_before(a, b, square, rest, by):
+    """sin²ψ and cos²ψ at a length before a known phase; by: those at the length itself."""
+    by_square, by_rest = by
+    delta, by_delta = phase_rate(a, b, square, rest), phase_rate(a, b, by_square, by_rest)
+    fall = square - by_square if square < rest else by_rest - rest
+    over = before_over(a, square, rest, by_delta)
+    sine = before_sine(a, square, rest, delta, by_square, by_rest, by_delta, fall)
+    cosine = before_cosine(a, square, rest, delta, by_square, by_rest, by_delta, over)
+    return sine * sine, cosine * cosine
+
+
+def phase_at(a, b, length, left):
+    """sin²ψ and cos²ψ at lengths from the tip and from the half-swing's end: the transformation undone."""
     limit = 2 * epsilon() ** 0.5
     steps = [(a, b)]
     while any_of(abs(a - b) > limit * a):
         a, b = (a + b) / 2, sqrt(a * b)
         steps.append((a, b))
     a, b = (a + b) / 2, sqrt(a * b)
-    mean = (a + b) / 2
-    quarter = pi / (2 * mean)
-    first = 2 * length <= quarter
-    small = sin(mean * pick(first, length, quarter - length))
+    first = length <= left
+    small = sin((a + b) / 2 * pick(first, length, left))
     small = small * small
     square, rest = pick(first, small, 1 - small), pick(first, 1 - small, small)
     for a, b in reversed(steps):
         gap = a - b
         below = pick(gap > 0, back_below(a, b, square), back_below_rest(a, b, rest))
         square, rest = back_square(a, square, below), back_rest(a, b, gap, rest, below)
+        # The larger one is told best by the smaller one, and its rounding would double in each step.
+        square, rest = pick(rest < square, 1 - rest, square), pick(rest < square, rest, 1 - square)
     return square, rest
+
+
+def phase_beside(a, b, square, rest, station, whole):
+    """sin²ψ and cos²ψ of a point beside the clamp by those of the clamp; whole: the length of the half-swing."""
+    length, back = station.beside, whole - station.beside
+    if station.away < 0:
+        return phase_before(a, b, square, rest, phase_at(a, b, length, back))
+    # Seen from the far turning point.
+    square, rest = phase_before(b, a, rest, square, phase_at(b, a, length, back))
+    return rest, square
 
 
 def point_at(motion, square, rest):
@@ -2485,31 +2820,29 @@ def point_at(motion, square, rest):
     return point, atan2(over, under), done
 
 
-def regular_part(rod, motion, length):
-    """θ, dθ/dσ and the arc by the motion alone."""
-    if length <= 0:
-        return motion.tip, 0 * length, Arc(0, 0, 0)
-    square, rest = phase_at(motion.end / 2, motion.middle / 2, length)
+def regular_part(rod, swing, station, here, left):
+    """θ, dθ/dσ and the arc by the motion alone, at its lengths from the tip and from the far turning point."""
+    motion = swing.stay.motion
+    if here <= epsilon() * left:  # where the square of the phase may underflow
+        return motion.tip, 0 * here, Arc(0, 0, 0)
+    a, b = motion.end / 2, motion.middle / 2
+    if next_to_clamp(swing, station, here, left):
+        square, rest = phase_beside(a, b, swing.square, swing.rest, station, here + left)
+    else:
+        square, rest = phase_at(a, b, here, left)
     point, half, low = point_at(motion, square, rest)
-    arc = arc_to(rod.beta, rod.eta, rod.field_angle, motion, point, square, rest, length)
+    arc = arc_to(rod.beta, rod.eta, rod.field_angle, motion, point, square, rest, here)
     speed = point_speed(point.strength, low, point.one, point.product)
     return motion.tip + 2 * half, speed, arc
 
 
-def within_swing(rod, swing, length):
-    """θ, dθ/dσ and the arc at a length from the tip within the first half-swing.
-
-    Where the motion stays near its tip, its middle or its far turning point, the rod is straight.
-    """
+def on_swing(rod, swing, station):
+    """θ, dθ/dσ and the arc from the tip at a point of the first half-swing."""
     stay, motion = swing.stay, swing.stay.motion
     regular = swing.length - stay.tip - stay.middle - stay.far
-    tip = min(length, stay.tip)
-    rest = length - tip
-    before = min(rest, regular / 2) if stay.middle > 0 else min(rest, regular)
-    middle = min(rest - before, stay.middle)
-    here = min(before + max(rest - before - middle, 0), regular)
-    far = max(rest - middle - here, 0)
-    angle, speed, arc = regular_part(rod, motion, here)
+    tip, here, middle, far = parts(station.from_tip, stay.tip, regular, stay.middle)
+    _, left, _, _ = parts(station.from_far, stay.far, regular, stay.middle)
+    angle, speed, arc = regular_part(rod, swing, station, here, left)
     for straight, extent in ((motion.tip, tip), (swing.middle_angle, middle), (swing.far_angle, far)):
         if extent > 0:
             arc = Arc(arc.y + extent * cos(straight), arc.z + extent * sin(straight), arc.square)
@@ -2524,12 +2857,10 @@ def angle_and_position(equilibrium, s):
         share, left, bend = s / length, length - s, equilibrium.clamp_curvature
         angle = equilibrium.tip_angle - bend * left * (left / length) / 2
         return angle, bend * (left / length), equilibrium.y * share, equilibrium.z * share
-    sigma = rod.length - ldexp(s, rod.scale)
-    count = floor(sigma / swing.length)
-    within = sigma - count * swing.length
-    back = count % 2 == 1
-    angle, speed, arc = within_swing(rod, swing, swing.length - within if back else within)
-    times = count + 1 if back else count
+    station = station_of(rod, swing, ldexp(s, rod.scale))
+    back = station.whole % 2 == 1
+    angle, speed, arc = on_swing(rod, swing, station)
+    times = station.whole + 1 if back else station.whole
     sign = -1 if back else 1
     y = equilibrium.y - ldexp(times * swing.arc.y + sign * arc.y, -rod.scale)
     z = equilibrium.z - rod.side * ldexp(times * swing.arc.z + sign * arc.z, -rod.scale)
@@ -2557,7 +2888,7 @@ def angle_and_slope(rod, swing, length):
     here = min(before + max(moving - before - stay.middle, 0), regular)
     if here <= 0:
         return rod.side * (motion.tip + 2 * np.pi * swing.turns), 0.0
-    square, rest = phase_at(motion.end / 2, motion.middle / 2, here)
+    square, rest = phase_at(motion.end / 2, motion.middle / 2, here, regular - here)
     point, half, _ = point_at(motion, square, rest)
     cotangent = point.pole / point.strength
     slope = 4 * sqrt(point.one) * point.product / (point.strength * (1 + cotangent * cotangent))
@@ -3126,23 +3457,6 @@ def principal_each(field_angle):
     return np.where(exact, field_angle, np.where(nearly, 0.0, np.where(pi / 2 - np.abs(angle) <= blur, pi / 2, angle)))
 
 
-class Rods(NamedTuple):
-    """Rods in their own units of length: see ``equilibria.Rod``. case: their number in the block; slow: ℓ√(β + η)."""
-
-    case: Any
-    beta: Any
-    eta: Any
-    length: Any
-    clamp_angle: Any
-    field_angle: Any
-    slow: Any
-
-
-def reflected_each(field_angle):
-    """``reflected`` on an array."""
-    return np.where((field_angle == 0) | (field_angle == pi / 2), field_angle, -field_angle)
-
-
 def each_array(record, change):
     """The record with ``change`` made to every array in it."""
     if isinstance(record, np.ndarray):
@@ -3158,74 +3472,86 @@ def rows(record, which):
     return each_array(record, lambda array: array[which])
 
 
+class Rods(NamedTuple):
+    """Rods in their own units of length: see ``equilibria.Rod``. case: their number in the block; slow: ℓ√(β + η)."""
+
+    case: Any
+    side: Any
+    scale: Any
+    beta: Any
+    eta: Any
+    length: Any
+    clamp_angle: Any
+    field_angle: Any
+    slow: Any
+
+
+def mirrored_each(field_angle, side):
+    """``reflected`` on an array, where the side is −1."""
+    return np.where((field_angle == 0) | (field_angle == pi / 2), field_angle, side * field_angle)
+
+
+def both_sides_each(rods):
+    """The rods and after them their mirror images, for the tips above the clamp angle."""
+    number = rods.case.size
+    side, both = np.repeat(np.array([1, -1]), number), np.concatenate([np.arange(number), np.arange(number)])
+    twice = rows(rods, both)
+    return Rods(
+        twice.case,
+        side,
+        twice.scale,
+        twice.beta,
+        twice.eta,
+        twice.length,
+        side * twice.clamp_angle,
+        mirrored_each(twice.field_angle, side),
+        twice.slow,
+    )
+
+
 def chosen(rods, mask):
     """Some of the rods, by a mask, or by one truth value for all of them."""
     return rows(rods, np.flatnonzero(np.full(rods.case.shape, mask)))
 
 
-class RestEach(NamedTuple):
-    """A direction without moment: angle = quarters·π/2 + extra.
-
-    stiffness: dθ″/dθ there, positive on a hill. double_cosine, double_sine: of 2(angle − α).
-    """
-
-    quarters: int
-    extra: float
-    angle: float
-    stiffness: float
-    double_cosine: float
-    double_sine: float
-
-
-class LandscapeEach(NamedTuple):
-    """The directions of one turn, from the highest hill to the same hill a turn on: hill, well(, ridge, well), hill.
-
-    level: the ridge is as high as the hill. even: V is symmetric about every hill and well.
-    """
-
-    rests: tuple[RestEach, ...]
-    level: bool
-    even: bool
-
-
 def along_each(beta, quarters, sign):
     """A direction along or against the force, no field: what it is about the field is not asked."""
-    return RestEach(quarters, 0, quarters * (pi / 2), sign * beta, 1, 0)
+    return Rest(quarters, 0, quarters * (pi / 2), sign * beta, 1, 0)
 
 
 def no_field_each(beta):
     """The force alone."""
-    return LandscapeEach((along_each(beta, 0, 1), along_each(beta, 2, -1), along_each(beta, 4, 1)), False, True)
+    return Landscape((along_each(beta, 0, 1), along_each(beta, 2, -1), along_each(beta, 4, 1)), False, True)
 
 
 def parallel_alone_each(eta):
     """The field without force: hills along and against it, wells across."""
-    top, side, again = (RestEach(quarters, 0, quarters * (pi / 2), eta, 1, 0) for quarters in (0, 2, 4))
-    first, second = (RestEach(quarters, 0, quarters * (pi / 2), -eta, -1, 0) for quarters in (1, 3))
-    return LandscapeEach((top, first, side, second, again), True, True)
+    top, side, again = (Rest(quarters, 0, quarters * (pi / 2), eta, 1, 0) for quarters in (0, 2, 4))
+    first, second = (Rest(quarters, 0, quarters * (pi / 2), -eta, -1, 0) for quarters in (1, 3))
+    return Landscape((top, first, side, second, again), True, True)
 
 
 def parallel_double_each(beta, eta):
     """The field along a weaker force: hills at 0 and, lower, at π."""
-    top, again = (RestEach(quarters, 0, quarters * (pi / 2), eta + beta, 1, 0) for quarters in (0, 4))
-    side = RestEach(2, 0, pi, eta - beta, 1, 0)
+    top, again = (Rest(quarters, 0, quarters * (pi / 2), eta + beta, 1, 0) for quarters in (0, 4))
+    side = Rest(2, 0, pi, eta - beta, 1, 0)
     lean = np.arctan2(beta, np.sqrt((eta - beta) * (eta + beta)))
     softness = (eta - beta) * (eta + beta) / eta
     cosine = 2 * (beta / eta) * (beta / eta) - 1
     sine = -2 * (beta / eta) * np.sqrt((eta - beta) * (eta + beta)) / eta
-    first = RestEach(1, lean, pi / 2 + lean, -softness, cosine, sine)
-    second = RestEach(3, -lean, 3 * (pi / 2) - lean, -softness, cosine, -sine)
-    return LandscapeEach((top, first, side, second, again), False, True)
+    first = Rest(1, lean, pi / 2 + lean, -softness, cosine, sine)
+    second = Rest(3, -lean, 3 * (pi / 2) - lean, -softness, cosine, -sine)
+    return Landscape((top, first, side, second, again), False, True)
 
 
 def parallel_single_each(beta, eta):
     """The field along a force that is not weaker: one hill, at 0."""
-    top, again = (RestEach(quarters, 0, quarters * (pi / 2), eta + beta, 1, 0) for quarters in (0, 4))
-    return LandscapeEach((top, RestEach(2, 0, pi, eta - beta, 1, 0), again), False, True)
+    top, again = (Rest(quarters, 0, quarters * (pi / 2), eta + beta, 1, 0) for quarters in (0, 4))
+    return Landscape((top, Rest(2, 0, pi, eta - beta, 1, 0), again), False, True)
 
 
 def along_force(rods):
-    """``landscapes`` of rods with the field along the force."""
+    """``by_landscape`` of rods with the field along the force."""
     strong, alone = rods.eta > rods.beta, rods.beta == 0
     if np.any(alone):
         field = chosen(rods, alone)
@@ -3244,16 +3570,16 @@ def orthogonal_double_each(beta, eta):
     stiffness = (eta - beta) * (eta + beta) / eta
     cosine = 1 - 2 * (beta / eta) * (beta / eta)
     sine = -2 * (beta / eta) * np.sqrt((eta - beta) * (eta + beta)) / eta
-    low = RestEach(0, -lean, -lean, stiffness, cosine, -sine)
-    high, again = RestEach(0, lean, lean, stiffness, cosine, sine), low._replace(quarters=4, angle=2 * pi - lean)
-    top, bottom = RestEach(0, 0, 0, beta - eta, -1, 0), RestEach(2, 0, pi, -beta - eta, -1, 0)
-    return LandscapeEach((low, top, high, bottom, again), True, True)
+    low = Rest(0, -lean, -lean, stiffness, cosine, -sine)
+    high, again = Rest(0, lean, lean, stiffness, cosine, sine), low._replace(quarters=4, angle=2 * pi - lean)
+    top, bottom = Rest(0, 0, 0, beta - eta, -1, 0), Rest(2, 0, pi, -beta - eta, -1, 0)
+    return Landscape((low, top, high, bottom, again), True, True)
 
 
 def orthogonal_single_each(beta, eta):
     """The field across a force that is not weaker: one hill, at 0."""
-    top, again = (RestEach(quarters, 0, quarters * (pi / 2), beta - eta, -1, 0) for quarters in (0, 4))
-    return LandscapeEach((top, RestEach(2, 0, pi, -beta - eta, -1, 0), again), False, True)
+    top, again = (Rest(quarters, 0, quarters * (pi / 2), beta - eta, -1, 0) for quarters in (0, 4))
+    return Landscape((top, Rest(2, 0, pi, -beta - eta, -1, 0), again), False, True)
 
 
 def mirror_rest_each(rest):
@@ -3277,12 +3603,12 @@ def rest_at_each(beta, eta, field_angle, quarters, extra):
     """The direction at this angle."""
     angle = quarters * (pi / 2) + extra
     double = 2 * (angle - field_angle)
-    return RestEach(quarters, extra, angle, beta * np.cos(angle) + eta * np.cos(double), np.cos(double), np.sin(double))
+    return Rest(quarters, extra, angle, beta * np.cos(angle) + eta * np.cos(double), np.cos(double), np.sin(double))
 
 
 def oblique_alone_each(eta, field_angle):
     """The field without force, at an angle in (0, π/2)."""
-    return LandscapeEach(tuple(rest_at_each(0 * eta, eta, field_angle, k, field_angle) for k in range(5)), True, True)
+    return Landscape(tuple(rest_at_each(0 * eta, eta, field_angle, k, field_angle) for k in range(5)), True, True)
 
 
 def twist_each(eta, x):
@@ -3310,6 +3636,14 @@ def has_second_pair_each(beta, eta, field_angle):
     return ridge_couple_each(beta, eta, field_angle, astroid_cusp_each(field_angle)) > epsilon() ** 0.7 * (beta + eta)
 
 
+def narrowed_each(low, high, value_low, value_high, place, value):
+    """The interval about a root, with a place in it as its new end."""
+    inside = (np.abs(place - low) < np.abs(high - low)) & (np.abs(high - place) < np.abs(high - low))
+    rises, falls = inside & (value > 0), inside & (value <= 0)
+    high, value_high = each_pick(rises, place, high), each_pick(rises, value, value_high)
+    return each_pick(falls, place, low), high, each_pick(falls, value, value_low), value_high
+
+
 def rising_root_each(function, low, high):
     """The root between low, where the function is negative, and high, where it is positive, by Ridders' method."""
     value_low, value_high = function(low), function(high)
@@ -3321,15 +3655,16 @@ def rising_root_each(function, low, high):
         exact = (value == 0) | (size == 0)
         trial = each_pick(exact, middle, middle + (middle - low) * (-value / each_pick(exact, 1, size)))
         value_trial = function(trial)
-        last = each_pick(moving, trial, last)
-        above = value > 0
-        high, value_high = each_pick(above, middle, high), each_pick(above, value, value_high)
-        low, value_low = each_pick(above, low, middle), each_pick(above, value_low, value)
-        inside = np.abs(trial - low) < np.abs(high - low), np.abs(high - trial) < np.abs(high - low)
-        rises, falls = (value_trial > 0) & inside[0], (value_trial < 0) & inside[1]
-        high, value_high = each_pick(rises, trial, high), each_pick(rises, value_trial, value_high)
-        low, value_low = each_pick(falls, trial, low), each_pick(falls, value_trial, value_low)
+        settled, last = np.abs(trial - last) <= 4 * epsilon() * np.abs(trial), each_pick(moving, trial, last)
+        low, high, value_low, value_high = narrowed_each(low, high, value_low, value_high, middle, value)
+        low, high, value_low, value_high = narrowed_each(low, high, value_low, value_high, trial, value_trial)
         moving = moving & (np.abs(high - low) > 2 * epsilon() * np.abs(trial)) & (value_trial != 0) & (exact == 0)
+        if np.any(settled & moving):
+            # The trials stay on one side of the root: is it between them and the next few numbers?
+            beside = trial + each_pick((value_trial > 0) == (high > low), -2, 2) * epsilon() * np.abs(trial)
+            beside = each_pick(settled, beside, trial)
+            low, high, value_low, value_high = narrowed_each(low, high, value_low, value_high, beside, function(beside))
+            moving = moving & (np.abs(high - low) > 2 * epsilon() * np.abs(trial))
         if not np.any(moving):
             break
     return last
@@ -3343,7 +3678,7 @@ def oblique_single_each(beta, eta, field_angle):
     )
     hill = rest_at_each(beta, eta, field_angle, 0, field_angle - back)
     well = rest_at_each(beta, eta, field_angle, 1, field_angle + on)
-    return LandscapeEach((hill, well, hill._replace(quarters=4, angle=hill.angle + 2 * pi)), False, False)
+    return Landscape((hill, well, hill._replace(quarters=4, angle=hill.angle + 2 * pi)), False, False)
 
 
 def oblique_double_each(beta, eta, field_angle):
@@ -3358,11 +3693,11 @@ def oblique_double_each(beta, eta, field_angle):
     second = rest_at_each(
         beta, eta, field_angle, 2, field_angle + rising_root_each(couple, pi / 2 + 0 * field_angle, cusp)
     )
-    return LandscapeEach((hill, well, ridge, second, again), False, False)
+    return Landscape((hill, well, ridge, second, again), False, False)
 
 
 def inclined(rods, side):
-    """``landscapes`` of rods with field angles between the force and a quarter turn to one side."""
+    """``by_landscape`` of rods with field angles between the force and a quarter turn to one side."""
     alone = rods.beta == 0
     if np.any(alone):
         field = chosen(rods, alone)
@@ -3378,7 +3713,7 @@ def inclined(rods, side):
             yield single, facing(oblique_single_each(single.beta, single.eta, side * single.field_angle), side)
 
 
-def landscapes(rods):
+def by_landscape(rods):
     """The rods in groups with landscapes of one kind, and those."""
     beta, eta, angle = rods.beta, rods.eta, rods.field_angle
     free, strong = eta == 0, eta > beta
@@ -3408,13 +3743,6 @@ def offset_from_each(rest, angle, turns):
     return each_pick((np.abs(offset) <= blur) | (np.abs(offset) < epsilon() ** 9), 0, offset)
 
 
-class ClampEach(NamedTuple):
-    """The clamp angle in a landscape: whole turns, and its offset from each direction without moment."""
-
-    turns: int
-    offsets: tuple[float, ...]
-
-
 def clamp_in_each(rests, angle):
     """Whole turns such that the clamp lies from the first hill up to, but not at, its like a turn on."""
     turns = np.floor((angle - rests[0].angle) / (2 * pi))
@@ -3424,7 +3752,7 @@ def clamp_in_each(rests, angle):
         if not np.any(shift != 0):
             break
         turns = turns + shift
-    return ClampEach(turns, offsets)
+    return Clamp(turns, offsets)
 
 
 class Straight(NamedTuple):
@@ -3440,24 +3768,9 @@ def numbered(rests):
     return tuple(rest._replace(extra=k % last) for k, rest in enumerate(rests))
 
 
-class GroundEach(NamedTuple):
-    """What the ranges of a rod are told by: its landscape and the clamp's offsets from the directions there.
-
-    drop: V(hill) − V(ridge); level: from the hill to the level of the ridge; height: V(ridge) − V(clamp). They are 0
-    where no ridge is lower than the hill.
-    """
-
-    eta: float
-    scene: LandscapeEach
-    at: tuple[float, ...]
-    drop: float
-    level: float
-    height: float
-
-
 def level_ground_each(eta, scene, at):
     """The ground without a ridge lower than the hill."""
-    return GroundEach(eta, scene, at, 0, 0, 0)
+    return Ground(eta, scene, at, 0, 0, 0)
 
 
 def ridge_fall_each(beta, eta, field_angle, hill, ridge):
@@ -3486,33 +3799,46 @@ def fall_each(eta, rest, start, change):
     return fall_from_rest_each(eta, rest.stiffness, rest.double_cosine, rest.double_sine, start + half, half)
 
 
-def moment_from_rest_each(eta, stiffness, double_cosine, double_sine, offset):
-    """θ″ = −V′ at an offset from a direction without moment."""
-    return rest_moment_each(eta, stiffness, double_cosine, double_sine, np.sin(offset / 2), np.cos(offset / 2))
+def pick_rest_each(condition, yes, no):
+    """One or the other direction, number by number."""
+    return Rest(*(each_pick(condition, *pair) for pair in zip(yes, no, strict=True)))
 
 
-def slope_each(eta, rest, offset):
-    """θ″ at an offset from a direction without moment."""
-    return moment_from_rest_each(eta, rest.stiffness, rest.double_cosine, rest.double_sine, offset)
+def step_to_each(eta, rest, offset, goal):
+    """Newton's step to where the square root of the change of V from a direction without moment is ``goal``, and by
+    how much its slope changes half way there, as a share of it."""
+    small, large = np.sin(offset / 4), np.cos(offset / 4)
+    sine, cosine = 2 * small * large, 1 - 2 * small * small
+    level = rest_fall_each(eta, rest.stiffness, rest.double_cosine, rest.double_sine, small, large, small, large)
+    force = np.abs(rest_moment_each(eta, rest.stiffness, rest.double_cosine, rest.double_sine, sine, cosine))
+    here, force = np.sqrt(np.abs(level)), np.maximum(force, epsilon() ** 20)
+    whole_sine, whole_cosine = 2 * sine * cosine, 1 - 2 * sine * sine
+    # dθ″/dθ, by β and α as the direction has them.
+    turned = rest.double_cosine * (2 * whole_cosine * whole_cosine - 1 - whole_cosine)
+    turned = turned - rest.double_sine * whole_sine * (2 * whole_cosine - 0.5)
+    bend = (rest.stiffness * whole_cosine + eta * turned) * (here / force) * (here / force)
+    share = (here - goal) / np.maximum(here, epsilon() ** 20)
+    return 2 * here * (here - goal) / force, share * (each_pick(level < 0, -bend, bend) - 0.5)
 
 
 def reach_each(eta, rest, amount, most, side):
     """The distance from a hill (or a well) at which V is lower (or higher) by ``amount``, to one side.
 
-    most: the distance of the next well (or hill). Newton's method for the square root of the difference, which is
+    most: the distance of the next well (or hill). Halley's method for the square root of the difference, which is
     nearly linear, from the pendulum's value.
     """
     amount = np.maximum(amount, 0)  # of a hill and a well that nearly meet, rounding may give less
     share = amount / np.maximum(np.abs(fall_each(eta, rest, 0, side * most)), epsilon() ** 20)
     near = most * np.arcsin(np.sqrt(each_pick(share < 1, share, 1))) * (2 / pi)
-    goal, moving = np.sqrt(amount), True
+    goal = np.sqrt(amount)
     for _ in range(40):
-        here = np.sqrt(np.abs(fall_each(eta, rest, 0, side * near)))
-        force = np.maximum(np.abs(slope_each(eta, rest, side * near)), epsilon() ** 20)
-        trial = near - 2 * here * (here - goal) / force
+        step, bent = step_to_each(eta, rest, side * near, goal)
+        safe = np.abs(bent) < 0.5
+        trial = near - step / each_pick(safe, 1 - bent, 1)
         trial = each_pick(trial > most, (near + most) / 2, each_pick(trial < 0, near / 2, trial))
-        # Newton's method squares the error: after a step this small the next one would change nothing.
-        moving, near = np.abs(trial - near) > each_spacing(trial) ** 0.6 * near, trial
+        # The method cubes the error, and Newton's squares it: after steps this small the next would change nothing.
+        small = each_pick(safe, each_spacing(trial) ** 0.45, each_spacing(trial) ** 0.6)
+        moving, near = np.abs(trial - near) > small * near, trial
         if not np.any(moving):
             break
     return near
@@ -3521,10 +3847,15 @@ def reach_each(eta, rest, amount, most, side):
 def ridge_ground_each(eta, scene, at, drop):
     """The ground with a lower ridge."""
     rests = scene.rests
-    level = reach_each(eta, rests[0], drop, rests[1].angle - rests[0].angle, 1)
+    down, above = rests[1].angle - rests[0].angle, fall_each(eta, rests[2], 0, rests[1].angle - rests[2].angle)
+    # Of a ridge that is next to its wells V tells at the hill nothing.
+    by_hill = drop < above
+    rest, amount = pick_rest_each(by_hill, rests[0], rests[1]), each_pick(by_hill, drop, above)
+    distance = reach_each(eta, rest, amount, down, each_pick(by_hill, 1, -1))
+    level = each_pick(by_hill, distance, down - distance)
     # Near the far hill V says which is higher only by the distance from that hill.
     height = each_pick(at[2] < -at[4], fall_each(eta, rests[2], 0, at[2]), fall_each(eta, rests[4], 0, at[4]) - drop)
-    return GroundEach(eta, scene, at, drop, level, height)
+    return Ground(eta, scene, at, drop, level, height)
 
 
 def ground_of_kind(rods, scene, clamp):
@@ -3543,60 +3874,16 @@ def in_basin_each(at, first, inside, builders):
     return [(inside & (at[first + 1] <= 0), builders[0]), (inside & (at[first + 1] > 0), builders[1])]
 
 
-def pick_rest_each(condition, yes, no):
-    """One or the other direction, number by number."""
-    return RestEach(*(each_pick(condition, *pair) for pair in zip(yes, no, strict=True)))
-
-
-class BasinEach(NamedTuple):
-    """What stops the rod and what it swings about: the hill that tips come from and the well below them, the hill
-    that stops the motion and the last well before it, and the direction where it is slowest between its ends: the
-    ridge that it passes, or the well.
-
-    far_rise: V(far) − V(hill). even: the motion is symmetric about its middle.
-    """
-
-    hill: RestEach
-    well: RestEach
-    far: RestEach
-    far_well: RestEach
-    axis: RestEach
-    far_rise: float
-    passes: bool
-    even: bool
-
-
-class PieceEach(NamedTuple):
-    """Tip angles from low to low + width in a basin; angles as differences, told without loss.
-
-    low_kind: 'hill', or 'level', where V is that of the ridge. high_kind: 'clamp', the clamp angle itself; 'turn', the
-    angle from which the rod turns back at the clamp angle; 'level'.
-    """
-
-    basin: BasinEach
-    low_kind: str
-    high_kind: str
-    low_offset: float  # low − hill
-    width: float
-    high_depth: float  # well − high
-    clamp_gap: float  # clamp − high
-    level_gap: float  # the angle at the level of the ridge − high, of a motion that passes it
-    clamp_rest: RestEach  # the direction next to the clamp
-    clamp_offset: float  # clamp − that direction
-    far_gap: float  # far − clamp
-
-
 def piece_of_each(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, at):
     """The record of a range."""
     rests = (basin.hill, basin.well, basin.axis, basin.far_well, basin.far) if basin.passes else basin[:3]
     rest, offset = rests[0], at[0]
     for other, distance in zip(rests[1:], at[1:], strict=False):
         closer = np.abs(distance) < np.abs(offset)
-        rest, offset = pick_rest_each(closer, other, rest), each_pick(closer, distance, offset)
+        if np.any(closer):
+            rest, offset = pick_rest_each(closer, other, rest), each_pick(closer, distance, offset)
     last = at[len(rests) - 1]
-    return PieceEach(
-        basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last
-    )
+    return Piece(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last)
 
 
 def from_hill_to_clamp_each(basin, at):
@@ -3609,7 +3896,7 @@ def basin_of_each(ground, first):
     scene = ground.scene
     hill, well, far = scene.rests[first : first + 3]
     even = scene.even and (scene.level or len(scene.rests) == 3)
-    return BasinEach(hill, well, far, well, well, ground.drop if first else 0, False, even)
+    return Basin(hill, well, far, well, well, ground.drop if first else 0, False, even)
 
 
 def first_clamp_each(ground):
@@ -3649,7 +3936,7 @@ def last_turn_each(ground):
 def over_ridge_each(ground):
     """What stops a motion that passes the ridge."""
     hill, well, ridge, second, far = ground.scene.rests
-    return BasinEach(hill, well, far, second, ridge, 0, True, ground.scene.even)
+    return Basin(hill, well, far, second, ridge, 0, True, ground.scene.even)
 
 
 def pass_clamp_each(ground):
@@ -3666,11 +3953,21 @@ def pass_level_each(ground):
     )
 
 
-def onward_each(eta, rest, start, amount, rough):
+def moment_from_rest_each(eta, stiffness, double_cosine, double_sine, offset):
+    """θ″ = −V′ at an offset from a direction without moment."""
+    return rest_moment_each(eta, stiffness, double_cosine, double_sine, np.sin(offset / 2), np.cos(offset / 2))
+
+
+def slope_each(eta, rest, offset):
+    """θ″ at an offset from a direction without moment."""
+    return moment_from_rest_each(eta, rest.stiffness, rest.double_cosine, rest.double_sine, offset)
+
+
+def onward_each(eta, rest, start, amount, rough, wanted):
     """How far beyond ``start``, an offset from a direction without moment, V has fallen by ``amount``.
 
     The rough value is good to rounding of the angles; where little of it is left, the slope of V at the start gives a
-    better one. Newton's method does the rest.
+    better one. Newton's method does the rest, until all that are wanted are found.
     """
     steep = slope_each(eta, rest, start)
     told = (np.abs(rough) > 0.001 * np.abs(start)) | (steep == 0)
@@ -3678,8 +3975,10 @@ def onward_each(eta, rest, start, amount, rough):
     for _ in range(40):
         force = slope_each(eta, rest, start + distance)
         step = (fall_each(eta, rest, start, distance) - amount) / each_pick(force == 0, 1, force)
-        distance = each_pick(np.abs(distance - step) > pi, rough, distance - step)
-        if not np.any(np.abs(step) > each_spacing(distance) ** 0.6 * np.abs(distance)):
+        away = np.abs(distance - step) > pi
+        stuck = away & (distance == rough)
+        distance = each_pick(away, rough, distance - step)
+        if not np.any(wanted & (stuck == 0) & (np.abs(step) > each_spacing(distance) ** 0.6 * np.abs(distance))):
             break
     return distance
 
@@ -3690,7 +3989,8 @@ def pass_turn_each(ground):
     down = over.well.angle - over.hill.angle
     width = -at[4] if over.even else reach_each(eta, over.hill, fall_each(eta, over.far, 0, at[4]), down, 1)
     # Towards the hill V is flat and tells little, but there the angles tell all.
-    gap = each_pick(width < level / 2, level - width, -onward_each(eta, over.hill, level, ground.height, width - level))
+    near = width >= level / 2
+    gap = each_pick(near, -onward_each(eta, over.hill, level, ground.height, width - level, near), level - width)
     return piece_of_each(over, "hill", "turn", 0, width, down - width, at[0] - width, gap, at)
 
 
@@ -3708,7 +4008,7 @@ def level_turn_each(ground):
     from_well = reach_each(eta, basin.well, above, down, -1)
     # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
     from_hill = reach_each(eta, basin.hill, ground.drop + below, down, 1)
-    near = onward_each(eta, basin.hill, level, below, from_hill - level)
+    near = onward_each(eta, basin.hill, level, below, from_hill - level, True)
     width = each_pick(below < above / 4, near, down - level - from_well)
     return piece_of_each(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
 
@@ -3771,13 +4071,34 @@ def by_dips(group):
     return parts, group.rods.case[~plain & ~wide]
 
 
+def least_arrival_each(rods, piece, offset):
+    """A length before which no motion from an offset from the hill, or from a lower one, arrives.
+
+    θ″ is nowhere more than β + η/2, and at an offset from the hill no more than β + η times that: a motion that has
+    the lesser of these two gets ahead of it.
+    """
+    steep, most = rods.beta + rods.eta, rods.beta + rods.eta / 2
+    clamp = piece.low_offset + piece.width + piece.clamp_gap
+    bend = np.minimum(clamp, most / steep)
+    ratio = np.maximum(bend / np.maximum(offset, epsilon() ** 20), 1)
+    arrival = np.arccosh(ratio) / np.sqrt(steep)
+    speed = np.sqrt(steep * (ratio - 1) * (ratio + 1)) * offset
+    rest = np.maximum(clamp - np.maximum(offset, bend), 0)
+    return arrival + 2 * rest / (speed + np.sqrt(speed * speed + 2 * most * rest) + epsilon() ** 20)
+
+
+def in_time(rods, piece):
+    """Which ranges have a motion that may arrive in time."""
+    return least_arrival_each(rods, piece, piece.low_offset + piece.width) <= (1 + SURELY) * rods.length
+
+
 def groups(rods):
     """The ranges of tips below the clamp angle, the straight rods, and the cases that are left to the scalar solver."""
     found, straight, doubtful = [], [], [np.zeros(0, dtype=int)]
-    for some, scene in landscapes(rods):
+    for some, scene in by_landscape(rods):
         clamp = clamp_in_each(scene.rests, some.clamp_angle)
         for rest, offset in zip(scene.rests, clamp.offsets, strict=True):
-            flat = np.flatnonzero(offset == 0)
+            flat = np.flatnonzero((offset == 0) & (some.side > 0))
             if flat.size:
                 straight.append(Straight(rows(some, flat), rows(rest, flat)))
         ground, low = ground_of_kind(some, scene, clamp)
@@ -3785,40 +4106,32 @@ def groups(rods):
         for rank, (here, build) in enumerate(ranges_each(ground)):
             which = np.flatnonzero(here & ~low)
             if which.size:
-                group = Group(
-                    rows(some, which), clamp.turns[which], np.full(which.shape, rank), build(rows(ground, which)), None
-                )
-                parts, sharp = by_dips(group)
+                given, piece = rows(some, which), build(rows(ground, which))
+                group = Group(given, clamp.turns[which], np.full(which.shape, rank), piece, None)
+                parts, sharp = by_dips(rows(group, in_time(given, piece)))
                 found += parts
                 doubtful.append(sharp)
     return found, straight, np.concatenate(doubtful)
 
 
 def ends(rods, piece):
-    """The places of the deepest samples: see ``search.grid``."""
+    """The places of the deepest samples: see ``places.grid``."""
     rounding = -np.log(epsilon())
-    if piece.low_kind == "level":
-        first = np.minimum(-2 * rods.slow - 6, -rounding)
-    else:
-        first = -rods.slow - 6
+    first = np.minimum(-2 * rods.slow - 6, -rounding) if piece.low_kind == "level" else -rods.slow - 6
+    late = first
+    for k in range(1, HALVINGS + 1):
+        trial = late - first * 0.5**k
+        offset = piece.low_offset + piece.width / (1 + np.exp(-trial))
+        late = np.where(least_arrival_each(rods, piece, offset) > (1 + SURELY) * rods.length, trial, late)
     if piece.high_kind == "level":
         last = 2 * rods.slow + rounding
     elif piece.high_kind == "turn":
-        last = np.full(rods.slow.shape, 2 * rounding)
+        last = LATEST + 0 * rods.slow
     else:
         moment = np.abs(slope_each(rods.eta, piece.clamp_rest, piece.clamp_offset)) + epsilon() ** 20
         deeper = 4 + np.log(2 * piece.width) - np.log(moment) - 2 * np.log(rods.length)
-        last = np.where(piece.high_depth == 0, rounding, np.maximum(rounding, deeper))
-    return first, last
-
-
-def spaced(deepest):
-    """Places from 0 to the deepest one, as shares of it."""
-    places, step = [0.0], 0.75
-    while places[-1] < deepest:
-        places.append(places[-1] + step)
-        step *= 1.25
-    return np.array(places[:-1] + [deepest]) / deepest
+        last = np.where(piece.high_depth == 0, rounding, np.maximum(LATEST, deeper))
+    return late, last
 
 
 def rounded_to(record, kind):
@@ -3831,6 +4144,24 @@ def rounded_to(record, kind):
         parts = [rounded_to(part, kind) for part in record]
         return type(record)(*parts) if hasattr(record, "_fields") else tuple(parts)
     return record
+
+
+def spaced(deepest, step):
+    """Places from 0 to the deepest one, as shares of it."""
+    places, growth = [0.0], 1 + step / 3
+    while places[-1] < deepest:
+        places.append(places[-1] + step)
+        step *= growth
+    return np.array([*places[:-1], deepest]) / max(deepest, 1e-30)
+
+
+def places_of(dip, here, first, last, step):
+    """The places of samples, a column for each range: from the lowest up, and closer around dips."""
+    below, above = spaced(-first.min(), step), spaced(last.max(), step)
+    places = np.concatenate([first * below[:0:-1, None], last * above[:, None]])
+    if dip is None:
+        return places
+    return np.sort(np.concatenate([places, np.clip(dip[here] + AROUND[:, None], first, last)]), axis=0)
 
 
 def within_each(sine):
@@ -3879,9 +4210,10 @@ def beyond_clamp_each(eta, piece, drop, rough):
     basin, rest, start = piece.basin, piece.clamp_rest, piece.clamp_offset
     high = -piece.high_depth
     amount = fall_each(eta, basin.well, high - drop, drop)
-    better = onward_each(eta, rest, start, -amount, rough)
+    far = rough > 0.25 * np.abs(start)
+    better = onward_each(eta, rest, start, -amount, rough, far == 0)
     # Newton's method leaves a place where V is nearly level for one far away.
-    return each_pick((rough > 0.25 * np.abs(start)) | (np.abs(better - rough) > 0.01), rough, better)
+    return each_pick(far | (np.abs(better - rough) > 0.01), rough, better)
 
 
 def far_side_each(eta, piece, rise, drop, depth, done):
@@ -3940,51 +4272,40 @@ def above_field_each(eta, basin, middle, half_width, field_angle, height):
     return (height + fall_each(eta, basin.axis, 0, offset)) / each_pick(turn == 0, 1, turn)
 
 
+def mean_less_field_each(eta, field_angle, basin, middle, half_width, double, near, far, height, mean):
+    """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
+    level."""
+    apart = mean - eta
+    close = apart <= 0.1 * eta
+    if np.any(close):
+        ahead, behind = np.sin(half_width / 2 + double / 2), np.sin(half_width / 2 - double / 2)
+        by_far, by_near = far - 2 * eta * ahead * ahead, near - 2 * eta * behind * behind
+        known = each_pick(2 * by_far > far, by_far, by_near)
+        far_off = close & (2 * by_far <= far) & (2 * by_near <= near)
+        if np.any(far_off):
+            known = each_pick(far_off, above_field_each(eta, basin, middle, half_width, field_angle, height), known)
+        apart = each_pick(close, known, apart)
+    # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.
+    least = np.maximum(height, epsilon() ** 19) if basin.passes else epsilon() * each_pick(near < far, near, far) / 4
+    return np.maximum(apart, least)
+
+
 def rates_each(beta, eta, field_angle, basin, tip, half_width, sine, near, far, height):
     """dχ/dσ at the ends and in the middle of the motion."""
     middle, cosine = tip + half_width, np.cos(half_width)
     double = 2 * (middle - field_angle)
+    cos_middle, cos_double = np.cos(middle), np.cos(double)
     product = np.sqrt(near) * np.sqrt(far)
-    excess = -(2 * beta * np.cos(middle) * cosine + eta * np.cos(double) * (1 + cosine * cosine))
-    mean = -(2 * beta * np.cos(middle) + eta * cosine * np.cos(double))
-    # mean − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to level.
-    ahead, behind = np.sin(half_width / 2 + double / 2), np.sin(half_width / 2 - double / 2)
-    by_far, by_near = far - 2 * eta * ahead * ahead, near - 2 * eta * behind * behind
-    apart = above_field_each(eta, basin, middle, half_width, field_angle, height)
-    apart = each_pick(2 * by_near > near, by_near, apart)
-    apart = each_pick(2 * by_far > far, by_far, apart)
-    apart = each_pick(mean - eta > 0.1 * eta, mean - eta, apart)
-    # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.
-    least = np.maximum(height, epsilon() ** 19) if basin.passes else epsilon() * each_pick(near < far, near, far) / 4
-    apart = np.maximum(apart, least)
-    split = sine * np.sqrt(apart * (mean + eta) / each_pick(excess < 0, product - excess, 1))
-    return np.sqrt(product / 2), each_pick(excess < 0, split, np.sqrt(product + np.maximum(excess, 0))) / 2
+    excess = -(2 * beta * cos_middle * cosine + eta * cos_double * (1 + cosine * cosine))
+    split, rate = excess < 0, np.sqrt(product + np.maximum(excess, 0))
+    if np.any(split):
+        mean = -(2 * beta * cos_middle + eta * cosine * cos_double)
+        apart = mean_less_field_each(eta, field_angle, basin, middle, half_width, double, near, far, height, mean)
+        rate = each_pick(split, sine * np.sqrt(apart * (mean + eta) / each_pick(split, product - excess, 1)), rate)
+    return np.sqrt(product / 2), rate / 2
 
 
-class MotionEach(NamedTuple):
-    """A motion from rest at the tip through the clamp angle to rest at the far turning point, and back.
-
-    With χ from 0 at the tip to π at the far turning point, dσ = dχ/√(end² cos²χ + middle² sin²χ).
-    """
-
-    tip: float  # the tip angle, in the turn of the landscape
-    half_width: float
-    done: float  # clamp − tip
-    left: float  # far turning point − clamp
-    near_moment: float  # θ″ at the tip
-    far_moment: float  # −θ″ at the far turning point
-    near: float  # 2θ″/sin(half_width) at the tip
-    far: float  # the same at the far turning point
-    end: float
-    middle: float
-    sine: float  # sin(half_width)
-    half_cosine: float  # cos(half_width/2)
-    uneven: float  # √far − √near
-    done_sine: float  # sin(done/2)
-    left_sine: float  # sin(left/2)
-
-
-def motion_at_each(beta, eta, field_angle, piece: PieceEach, place):
+def motion_at_each(beta, eta, field_angle, piece: Piece, place):
     """The motion of the tip at a place of a piece: −∞ is its low end, +∞ its high end."""
     basin = piece.basin
     rise, drop = piece.width / (1 + np.exp(-place)), piece.width / (1 + np.exp(place))
@@ -4022,7 +4343,7 @@ def motion_at_each(beta, eta, field_angle, piece: PieceEach, place):
     left_sine = np.sin(each_pick(left > pi, lack + done / 2, left / 2))
     half_cosine = np.sin(lack / 2)
     end, middle = rates_each(beta, eta, field_angle, basin, tip, half_width, sine, near, far, height)
-    return MotionEach(
+    return Motion(
         tip,
         half_width,
         done,
@@ -4039,19 +4360,6 @@ def motion_at_each(beta, eta, field_angle, piece: PieceEach, place):
         done_sine,
         left_sine,
     )
-
-
-class PhaseEach(NamedTuple):
-    """Where on its half-swing the motion meets the clamp.
-
-    The length from the tip is ∫dψ/√(a² cos²ψ + b² sin²ψ) from 0 to ψ, with a and b half of ``end`` and ``middle``; the
-    half-swing ends at ψ = π/2. whole, delta: what the speed there follows from.
-    """
-
-    square: float  # sin²ψ
-    rest: float  # cos²ψ
-    whole: float
-    delta: float
 
 
 def phase_of_each(motion):
@@ -4071,7 +4379,7 @@ def phase_of_each(motion):
     rest = each_pick(
         first, half_rest_each(end, size, delta), half_rest_beyond_each(end, motion.middle, square, size, delta)
     )
-    return PhaseEach(half, rest, whole, delta)
+    return Phase(half, rest, whole, delta)
 
 
 def rough_times(rods, piece, place):
@@ -4092,23 +4400,29 @@ def rough_times(rods, piece, place):
     return pi / 2 / mean, np.arctan2(np.sqrt(square), np.sqrt(rest)) / mean
 
 
-def end_count(piece, sign, length, swing):
-    """The count at the high end itself, where it is known: arrival at once, or after the whole half-swing."""
+def end_arrival(piece, swing):
+    """The first arrival at the high end itself, where it is known: at once, or after the whole half-swing."""
     if piece.high_kind == "clamp":
-        return np.where((piece.clamp_gap == 0) & (piece.high_depth > 0), length / (2 * swing), np.nan)
-    if piece.high_kind == "turn":
-        return (length - sign * swing) / (2 * swing)
-    return None
+        return np.where((piece.clamp_gap == 0) & (piece.high_depth > 0), 0 * swing, np.nan)
+    return swing if piece.high_kind == "turn" else None
 
 
 class Brackets(NamedTuple):
-    """Crossings to be found: the range, by its number in the group, the branch, and places on either side."""
+    """Crossings to be found: the range, by its number in the group, the branch, places on either side, and there the
+    length of the branch less the rod's."""
 
     range: Any
     turns: Any
     sign: Any
     left: Any
     right: Any
+    value_left: Any
+    value_right: Any
+
+
+def surplus(swing, arrival, turns, sign, length):
+    """The length of a branch less the rod's."""
+    return 2 * turns * swing + sign * arrival - length
 
 
 def joined(records):
@@ -4122,7 +4436,7 @@ def joined(records):
     return first
 
 
-def extrema(group, sign, places, counts):
+def extrema(group, sign, places, swings, arrivals, counts):
     """Brackets beside the extrema that reach beyond a whole number, and the ranges where that is not sure."""
     before, here, after = counts[:-2], counts[1:-1], counts[2:]
     top = here > before
@@ -4135,85 +4449,77 @@ def extrema(group, sign, places, counts):
     goal, top = goal[row, which], top[row, which]
     left, right = places[row, which], places[row + 2, which]
     if not row.size:
-        return Brackets(which, goal, np.full(which.shape, sign), left, right), which
+        return Brackets(which, goal, np.full(which.shape, sign), left, right, left, right), which
     some = rows(group, which)
+    length = some.rods.length
     finer = left + (right - left) * np.linspace(0, 1, 17).astype(left.dtype)[:, None]
     swings, arrivals = rough_times(some.rods, some.piece, finer)
-    short = np.where(top, 1, -1) * (goal - (some.rods.length - sign * arrivals) / (2 * swings))
+    short = np.where(top, 1, -1) * (goal - (length - sign * arrivals) / (2 * swings))
     # Sure: well beyond, once; or so far from it that a curve that bends one way does not reach it.
     best = short.argmin(axis=0)
     column = np.arange(which.size)
     inner = np.clip(best, 1, 15)
     least, beside = short[best, column], np.maximum(short[inner - 1, column], short[inner + 1, column])
-    margin = 1e-4 * (1 + goal)
+    margin = (0.0001 if left.dtype == np.float32 else 1e-09) * (1 + goal)
     changes = ((short[1:] < 0) != (short[:-1] < 0)).sum(axis=0)
     beyond = (least < -margin) & (changes == 2) & (best == inner)
     hard = ~beyond & (2 * least <= beside + margin)
     sure = np.flatnonzero(beyond)
-    found = Brackets(which[sure], goal[sure], np.full(sure.shape, sign), left[sure], finer[best[sure], sure])
-    other = found._replace(left=found.right, right=right[sure])
+    value = surplus(swings[:, sure], arrivals[:, sure], goal[sure], sign, length[sure])
+    middle, column = finer[best[sure], sure], np.arange(sure.size)
+    center = value[best[sure], column]
+    found = Brackets(which[sure], goal[sure], np.full(sure.shape, sign), left[sure], middle, value[0], center)
+    other = found._replace(left=middle, right=right[sure], value_left=center, value_right=value[-1])
     return joined([found, other]), which[hard]
 
 
 def crossed(group, sign, places, swings, arrivals, capped, most):
     """Brackets of the whole numbers that the count of one branch crosses, and the ranges that are doubtful."""
-    length = group.rods.length
+    length, end = group.rods.length, end_arrival(group.piece, swings[-1])
     counts = (length - sign * arrivals) / (2 * swings)
     doubt = ~np.isfinite(counts).all(axis=0) | capped[0] & (counts[0] >= 1)
-    end = end_count(group.piece, sign, length, swings[-1])
+    beside, hard = extrema(group, sign, places, swings, arrivals, counts)
     if end is None:
         doubt |= capped[1] & (counts[-1] >= 1)
     else:
-        places, counts = np.concatenate([places, places[-1:] + 1]), np.concatenate([counts, end[None]])
+        # What lies deeper than the samples, towards the end itself.
+        beyond = (length - sign * end) / (2 * swings[-1])
+        doubt |= np.isfinite(beyond) & (np.ceil(np.maximum(beyond, 0)) != np.ceil(np.maximum(counts[-1], 0)))
+        turn = np.isfinite(beyond) & ((counts[-1] > counts[-2]) != (beyond > counts[-1]))
+        doubt |= turn & (np.abs(counts[-1] - np.floor(counts[-1] + 0.5)) < 2 * np.abs(beyond - counts[-2]))
     low, high = np.minimum(counts[1:], counts[:-1]), np.maximum(counts[1:], counts[:-1])
     low, high = np.maximum(np.ceil(low), 0), np.maximum(np.ceil(high), 0)
-    if end is not None:
-        # What lies deeper than the samples, towards the end itself.
-        doubt |= high[-1] > low[-1]
-        low, high = low[:-1], high[:-1]
     row, which = np.nonzero(high > low)
     number = (high[row, which] - low[row, which]).astype(int)
     lowest = np.repeat(low[row, which], number)
     turns = lowest + np.arange(number.sum()) - np.repeat(number.cumsum() - number, number)
     row, which = np.repeat(row, number), np.repeat(which, number)
-    found = Brackets(which, turns, np.full(which.shape, sign), places[row, which], places[row + 1, which])
-    beside, hard = extrema(group, sign, places, counts)
-    found = joined([found, beside])
+    ahead = [surplus(swings[k, which], arrivals[k, which], turns, sign, length[which]) for k in (row, row + 1)]
+    near, far = places[row, which], places[row + 1, which]
+    found = joined([Brackets(which, turns, np.full(which.shape, sign), near, far, ahead[0], ahead[1]), beside])
     wanted = (found.turns > 0) | (sign > 0)
     wanted &= 2 * found.turns - (sign < 0) <= most
     return rows(found, wanted), np.concatenate([np.flatnonzero(doubt), hard])
 
 
-def bracketed(group, kind, most):
+def bracketed(group, kind, step, most):
     """Brackets of all crossings of a group, and the ranges that are doubtful."""
     first, last = ends(group.rods, group.piece)
-    capped = [first < -ROUGH_DEPTH, last > ROUGH_DEPTH] if kind is np.float32 else [first < -600, last > 600]
     deepest = ROUGH_DEPTH if kind is np.float32 else 600.0
+    capped = first < -deepest, last > deepest
     first, last = np.maximum(first, -deepest), np.minimum(last, deepest)
-    below, above = spaced(-first.min()), spaced(last.max())
-    more = 0 if group.dip is None else AROUND.size
-    size = max(SAMPLES // (len(below) + len(above) + more), 1)
+    order = np.argsort(last - first)
     parts, doubts = [], []
-    for start in range(0, first.size, size):
-        here = slice(start, start + size)
-        some, edge = rounded_to(rows(group, here), kind), (first[here], last[here])
-        places = np.concatenate([edge[0] * below[:0:-1, None], edge[1] * above[:, None]])
-        if some.dip is not None:
-            closer = np.clip(some.dip + AROUND[:, None], edge[0], edge[1])
-            places = np.sort(np.concatenate([places, closer]), axis=0)
-        places = places.astype(kind)
+    for start in range(0, order.size, RANGES):
+        here = order[start : start + RANGES]
+        some, deep = rounded_to(rows(group, here), kind), (capped[0][here], capped[1][here])
+        places = places_of(group.dip, here, first[here], last[here], step).astype(kind)
         swings, arrivals = rough_times(some.rods, some.piece, places)
-        deep = capped[0][here], capped[1][here]
-        for sign in (1, -1):
+        for sign in (1, -1) if some.rods.slow.max() >= pi else (1,):
             found, doubt = crossed(some, sign, places, swings, arrivals, deep, most)
-            parts.append(found._replace(range=found.range + start))
-            doubts.append(doubt + start)
+            parts.append(found._replace(range=here[found.range]))
+            doubts.append(here[doubt])
     return joined(parts), np.concatenate(doubts)
-
-
-def surplus(swing, arrival, brackets, length):
-    """The length of a branch less the rod's."""
-    return 2 * brackets.turns * swing + brackets.sign * arrival - length
 
 
 def inverse_quadratic(a, b, c, value_a, value_b, value_c):
@@ -4225,35 +4531,30 @@ def inverse_quadratic(a, b, c, value_a, value_b, value_c):
 
 
 def approached(group, brackets):
-    """Rough crossings by Chandrupatla's method (1997): places, the slope of the branch there, whether there is one."""
+    """Rough crossings by Chandrupatla's method (1997): places, and the slope of the branch there."""
     kind = brackets.left.dtype
-    brackets = brackets._replace(turns=brackets.turns.astype(kind), sign=brackets.sign.astype(kind))
-    length = group.rods.length
-
-    def function(place):
-        swing, arrival = rough_times(group.rods, group.piece, place)
-        return surplus(swing, arrival, brackets, length)
-
-    a, b = brackets.left, brackets.right
-    value_a, value_b = function(a), function(b)
-    good = (value_a > 0) != (value_b > 0)
-    rising = value_b > value_a
+    turns, sign = brackets.turns.astype(kind), brackets.sign.astype(kind)
+    a, b, value_a, value_b = brackets.left, brackets.right, brackets.value_left, brackets.value_right
+    slope = (value_a - value_b) / (a - b)
     fraction = np.full(a.shape, 0.5, dtype=kind)
     secant = value_a / (value_a - value_b)
     inside = (secant > 0.05) & (secant < 0.95)
     fraction[inside] = secant[inside]
-    for _ in range(6):
+    for _ in range(STEPS):
         trial = a + fraction * (b - a)
-        value = function(trial)
+        swing, arrival = rough_times(group.rods, group.piece, trial)
+        value = surplus(swing, arrival, turns, sign, group.rods.length)
         same = (value > 0) == (value_a > 0)
         c, value_c = np.where(same, a, b), np.where(same, value_a, value_b)
         b, value_b = np.where(same, b, a), np.where(same, value_b, value_a)
         a, value_a = trial, value
+        near, value_near = (
+            np.where(np.abs(a - b) < np.abs(a - c), b, c),
+            np.where(np.abs(a - b) < np.abs(a - c), value_b, value_c),
+        )
+        slope = np.where(np.abs(near - a) > SPREAD, (value_near - value_a) / (near - a), slope)
         fraction = inverse_quadratic(a, b, c, value_a, value_b, value_c)
-    place = np.where(np.abs(value_a) < np.abs(value_b), a, b)
-    # Points nearer than this would tell the slope by their rounding.
-    slope = (function(place + SPREAD) - function(place - SPREAD)) / (2 * SPREAD)
-    return place, slope, good, rising
+    return a + fraction * (b - a), slope
 
 
 def lengths_each(a, b, square, rest):
@@ -4294,20 +4595,20 @@ def lost_ranges(brackets, parts):
 
 def polished(group, brackets, kind):
     """The crossings to rounding, by secants from the rough ones, and the ranges in which one is not found so."""
-    rough = rounded_to(rows(group, brackets.range), kind)
-    place, slope, good, rising = approached(rough, brackets)
+    place, slope = approached(rounded_to(rows(group, brackets.range), kind), brackets)
     some = rows(group, brackets.range)
     place, slope, length = place.astype(float), slope.astype(float), some.rods.length
     least, most = np.minimum(brackets.left, brackets.right) - 0.01, np.maximum(brackets.left, brackets.right) + 0.01
-    todo = np.flatnonzero(good)
+    rising = (brackets.value_right > brackets.value_left) == (brackets.right > brackets.left)
+    todo = np.flatnonzero((brackets.value_left > 0) != (brackets.value_right > 0))
     value, before = np.full(place.shape, np.nan), place.copy()
     parts = []
     for turn in range(8):
-        here = rows(some, todo)
+        here, branch = rows((some, brackets), todo) if todo.size < place.size else (some, brackets)
         motion = motion_at_each(here.rods.beta, here.rods.eta, here.rods.field_angle, here.piece, place[todo])
         phase = phase_of_each(motion)
         swing, arrival = lengths_each(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
-        now = surplus(swing, arrival, rows(brackets, todo), length[todo])
+        now = surplus(swing, arrival, branch.turns, branch.sign, length[todo])
         if turn:
             change = place[todo] - before[todo]
             slope[todo] = np.where(change == 0, slope[todo], (now - value[todo]) / np.where(change == 0, 1, change))
@@ -4315,8 +4616,7 @@ def polished(group, brackets, kind):
         close = np.abs(step) <= 4 * epsilon() * (1 + np.abs(place[todo]))
         close |= np.abs(now) <= 4 * epsilon() * length[todo]
         done = todo[close]
-        state = rows((motion, phase, swing, arrival), close)
-        branch = rows(brackets, done)
+        state, branch = rows((motion, phase, swing, arrival), close), rows(branch, close)
         parts.append(
             Found(
                 branch.range,
@@ -4338,19 +4638,31 @@ def polished(group, brackets, kind):
     return joined(parts), lost_ranges(brackets, parts)
 
 
+def searched(group, which, kind, step, most):
+    """The tips of some ranges, and the ranges of which there may be more or fewer."""
+    part = rows(group, which)
+    brackets, doubts = bracketed(part, kind, step, most)
+    found, lost = polished(part, brackets, kind)
+    doubtful = np.concatenate([doubts, lost])
+    sure = rows(found, ~np.isin(found.range, doubtful))
+    return sure._replace(range=which[sure.range]), which[doubtful]
+
+
 def tips(group, most):
     """The tips of a group, a list of Found, and the ranges left to the scalar solver."""
     rough = group.rods.slow < ROUGH_SLOW
-    found, doubtful = [], []
+    found, again = [], [np.zeros(0, dtype=int)]
     for mask, kind in ((rough, np.float32), (~rough, float)):
         which = np.flatnonzero(mask)
         if which.size:
-            part = rows(group, which)
-            brackets, doubts = bracketed(part, kind, most)
-            tip, lost = polished(part, brackets, kind)
-            found.append(tip._replace(range=which[tip.range]))
-            doubtful += [which[doubts], which[lost]]
-    return found, np.concatenate(doubtful)
+            sure, doubtful = searched(group, which, kind, WIDE, most)
+            found.append(sure)
+            again.append(doubtful)
+    left = np.unique(np.concatenate(again))
+    if left.size:
+        sure, left = searched(group, left, float, CLOSER, most)
+        found.append(sure)
+    return found, left
 
 
 def index_each(found):
@@ -4358,20 +4670,6 @@ def index_each(found):
     swings = 2 * found.turns - (found.sign < 0)
     positive = found.rising != (found.sign > 0)
     return np.where(positive == (swings % 2 == 0), swings, swings + 1).astype(int)
-
-
-class PointEach(NamedTuple):
-    """A point of a motion by ℘ − c = x and ℘ − e at its three half-period values.
-
-    one: ℘ − e₁, with e₁ that of the far turning point. product, root_sum: √(℘ − e₂)√(℘ − e₃) and √(℘ − e₂) + √(℘ − e₃),
-    real also where e₂ and e₃ are a complex pair.
-    """
-
-    strength: float  # b
-    pole: float  # x
-    one: float
-    product: float
-    root_sum: float
 
 
 def clamp_point_each(motion, phase):
@@ -4382,7 +4680,7 @@ def clamp_point_each(motion, phase):
     delta = phase_rate_each(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
     # 2Δ/sin ψ is no less than ``middle``, the square of which may underflow.
     root_sum = np.maximum(pair_root_sum_each(phase.square, delta), motion.middle)
-    return PointEach(b, point_pole_each(b, done, np.cos(motion.done / 2)), one, product, root_sum)
+    return Point(b, point_pole_each(b, done, np.cos(motion.done / 2)), one, product, root_sum)
 
 
 def rj_pair_each(x, product, root_sum, p, lift, less, twist):
@@ -4459,14 +4757,6 @@ def second_kind_each(a, b, square, rest, arrival):
     return growth
 
 
-class ArcEach(NamedTuple):
-    """A stretch of rod from the tip: ∫cos θ, ∫sin θ and η∫cos²(θ − α)."""
-
-    y: float
-    z: float
-    square: float
-
-
 def arc_to_each(beta, eta, field_angle, motion, point, square, rest, extent):
     """The arc from the tip to a point, at ψ, of the given length."""
     sine, cosine, lean = np.sin(motion.tip), np.cos(motion.tip), motion.tip - field_angle
@@ -4478,14 +4768,14 @@ def arc_to_each(beta, eta, field_angle, motion, point, square, rest, extent):
     q, m = rest_stiffness_each(beta, eta, cosine, double_cosine), tip_cubic_each(beta, eta, sine, double_sine)
     kink = kink_at_each(first, second, point, root, q, m, square, rest)
     growth = second_kind_each(first, second, square, rest, extent)
-    return ArcEach(y, z, arc_square_each(beta, eta, cosine, np.cos(lean), first, root, extent, y, kink, growth))
+    return Arc(y, z, arc_square_each(beta, eta, cosine, np.cos(lean), first, root, extent, y, kink, growth))
 
 
 def far_point_each(motion):
     """The far turning point."""
     b = strength_each(motion.near_moment)
     pole = point_pole_each(b, motion.sine, np.cos(motion.half_width))
-    return PointEach(b, pole, 0, far_pair_root_each(motion.end), motion.middle)
+    return Point(b, pole, 0, far_pair_root_each(motion.end), motion.middle)
 
 
 def positions(rods, found):
@@ -4506,7 +4796,7 @@ def positions(rods, found):
     return columns
 
 
-def bent(group, found, side, scale, most):
+def bent(group, found, most):
     """The equilibria of tips on their branches."""
     index = index_each(found)
     wanted = np.flatnonzero(index <= most)
@@ -4520,7 +4810,7 @@ def bent(group, found, side, scale, most):
     speed = phase.delta * phase.whole / (motion.end * motion.sine) * np.sqrt(2 * motion.done_sine * motion.left_sine)
     gamma = 2 * beta * cosine + eta * aligned * aligned
     energy = gamma * rods.length / 2 - 2 * beta * y - square
-    scale = scale[rods.case]
+    scale, side = rods.scale, rods.side
     return Columns(
         rods.case,
         side * (some.rank - LAST),
@@ -4535,7 +4825,7 @@ def bent(group, found, side, scale, most):
     )
 
 
-def straight_rods(straight, scale, most):
+def straight_rods(straight, most):
     """The rods that stay straight."""
     rods, rest, length = straight.rods, straight.rest, straight.rods.length
     cosine, sine = np.cos(rest.extra) + 0 * length, np.sin(rest.extra) + 0 * length
@@ -4545,7 +4835,7 @@ def straight_rods(straight, scale, most):
     soft = -rest.stiffness
     index = np.where(soft > 0, np.floor(length * np.sqrt(np.abs(soft)) / pi + 0.5), 0).astype(int)
     energy = -(rods.beta * cosine + rods.eta * aligned * aligned / 2) * length
-    here = scale[rods.case]
+    here = rods.scale
     extent = np.ldexp(length, -here)
     gamma = np.ldexp(2 * rods.beta * cosine + rods.eta * aligned * aligned, 2 * here)
     found = Columns(
@@ -4563,17 +4853,16 @@ def straight_rods(straight, scale, most):
     return rows(found, index <= most)
 
 
-def one_side(rods, side, scale, most):
-    """The equilibria with tips on one side of the clamp angle, the straight ones with the first side, and the rods
-    left to the scalar solver."""
+def on_arrays(rods, most):
+    """The equilibria of rods with tips below the clamp angle, the straight ones, and the cases left to the scalar
+    solver."""
     found, straight, doubtful = groups(rods)
     parts, left = [no_columns()], [doubtful]
     for group in found:
         tip, lost = tips(group, most)
         left.append(group.rods.case[lost])
-        parts += [bent(group, some, side, scale, most) for some in tip]
-    if side > 0:
-        parts += [straight_rods(some, scale, most) for some in straight]
+        parts += [bent(group, some, most) for some in tip]
+    parts += [straight_rods(some, most) for some in straight]
     return joined(parts), np.concatenate(left)
 
 
@@ -4587,17 +4876,14 @@ def short(found, size, most):
 
 def at_once(beta, eta, length, clamp_angle, field_angle, size, most):
     """The equilibria on arrays, and the rods that are left to the scalar solver."""
-    case, scale = np.arange(size), np.full(size, np.frexp(beta + eta)[1] // 2)
+    scale = np.full(size, np.frexp(beta + eta)[1] // 2)
     force, magnet, extent = np.ldexp(beta, -2 * scale), np.ldexp(eta, -2 * scale), np.ldexp(length, scale)
-    clamp, field, slow = np.full(size, clamp_angle), principal_each(field_angle), extent * np.sqrt(force + magnet)
-    rods = Rods(case, force, magnet, extent, clamp, field, slow)
-    mirrored = Rods(case, force, magnet, extent, -clamp, reflected_each(field), slow)
+    slow = extent * np.sqrt(force + magnet)
+    clamp, field = np.full(size, clamp_angle), principal_each(field_angle)
     good = (slow < SLOWEST) & (slow > epsilon())
-    fit = np.flatnonzero(good)
-    above, below = one_side(rows(rods, fit), 1, scale, most), one_side(rows(mirrored, fit), -1, scale, most)
-    found = joined([above[0], below[0]])
-    left = np.concatenate([np.flatnonzero(~good), above[1], below[1], np.flatnonzero(short(found, size, most))])
-    return found, np.unique(left)
+    rods = both_sides_each(rows(Rods(np.arange(size), 1, scale, force, magnet, extent, clamp, field, slow), good))
+    found, doubtful = on_arrays(rods, most)
+    return found, np.unique(np.concatenate([np.flatnonzero(~good), doubtful, np.flatnonzero(short(found, size, most))]))
 
 
 def one_by_one(beta, eta, length, clamp_angle, field_angle, max_index):
@@ -4811,15 +5097,15 @@ def sine_part(a, b, square, rest, arrival):
     return total
 
 
-def rates_of_times(beta, eta, field_angle, motion, change):
+def rates_of_times(beta, eta, field_angle, motion, phase, swing, arrival, change):
     """Derivatives of half-swing and first arrival along a change of tip angle and loads; the clamp angle stays.
+
+    phase, swing, arrival: of the motion.
 
     dI = −(S + X) dlog a − (C − X) dlog b + dψ/Δ for I = ∫dψ/Δ, Δ² = a² cos²ψ + b² sin²ψ, with S = ∫sin²ψ/Δ,
     C = ∫cos²ψ/Δ and X = sin ψ cos ψ/Δ (DLMF 19.4(i), there for E, F and k).
     """
     numbers = changes_of_numbers(beta, eta, field_angle, motion, change)
-    phase = phase_of(motion)
-    swing, arrival = times(motion)
     a, b = motion.end, motion.middle
     square, rest = phase.square, phase.rest
     all_sine, sine = sine_part(a / 2, b / 2, 1, 0, swing), sine_part(a / 2, b / 2, square, rest, arrival)
@@ -4841,6 +5127,13 @@ def rates_of_times(beta, eta, field_angle, motion, change):
     return swing_rate, arrival_rate
 
 
+def rates_of_sample(rod, item, change):
+    """The derivatives of half-swing and first arrival of a sample, but for the lengths for which it stays anywhere."""
+    swing, arrival = item.regular
+    motion = item.stay.motion
+    return rates_of_times(rod.beta, rod.eta, rod.field_angle, motion, item.phase, swing, arrival, change)
+
+
 class Change(NamedTuple):
     """The change of the tip angle and of the loads, along which a derivative is taken."""
 
@@ -4851,16 +5144,15 @@ class Change(NamedTuple):
 
 def probe(rod, piece, ends, place):
     """The times at a place and their derivatives; in the deep, these are the delays."""
-    stay = stay_at(rod.beta, rod.eta, rod.field_angle, piece, ends, place)
-    swing, arrival = times(stay.motion)
-    side = -1 if place < 0 else 1
+    item = sample_at(rod.beta, rod.eta, rod.field_angle, piece, ends, place)
     delay = ends[place >= 0]
-    swing, arrival = swing + stay.tip + stay.middle + stay.far, arrival + stay.tip + stay.arrival
     if abs(place) >= delay.deepest:
-        return Probe(place, swing, arrival, side * (delay.tip + delay.middle + delay.far), side * delay.arrival)
+        side = -1 if place < 0 else 1
+        rates = side * (delay.tip + delay.middle + delay.far), side * delay.arrival
+        return Probe(place, item.swing, item.arrival, *rates)
     share = piece.width / ((1 + exp(place)) * (1 + exp(-place)))
-    rates = rates_of_times(rod.beta, rod.eta, rod.field_angle, stay.motion, Change(share, 0, 0))
-    return Probe(place, swing, arrival, *rates)
+    rates = rates_of_sample(rod, item, Change(share, 0, 0))
+    return Probe(place, item.swing, item.arrival, *rates)
 
 
 def dense(sample, samples, length):
@@ -4873,7 +5165,8 @@ def dense(sample, samples, length):
         arrival = after.arrival - before.arrival - width * (after.arrival_rate + before.arrival_rate) / 2
         least = min(before.swing, after.swing)
         miss = abs(arrival) + (length / least * abs(swing) if length > least else 0)
-        if width > FINEST and miss > ROUGH * length:
+        out_of_reach = min(before.arrival, after.arrival) - abs(arrival) > (1 + WINDOW) * length
+        if width > FINEST and miss > ROUGH * length and not out_of_reach:
             todo.append(sample((before.place + after.place) / 2))
         else:
             done.append(todo.pop())
@@ -4931,28 +5224,10 @@ def brackets_of(sample, samples, sign, swings, length):
     return found
 
 
-def zero_between(function, a, b, value_a, value_b):
-    """A sign change of a function between two places, to rounding, by Chandrupatla's method (1997)."""
-    fraction = 0.5
-    while True:
-        trial = a + fraction * (b - a)
-        value = function(trial)
-        if (value > 0) == (value_a > 0):
-            c, value_c = a, value_a
-        else:
-            c, value_c, b, value_b = b, value_b, a, value_a
-        a, value_a = trial, value
-        best, value_best = (a, value_a) if abs(value_a) < abs(value_b) else (b, value_b)
-        least = 2 * epsilon() * (1 + abs(best)) / abs(b - a)
-        if least > 0.5 or value_best == 0:
-            return best
-        fraction = min(1 - least, max(least, interpolated(a, b, c, value_a, value_b, value_c)))
-
-
 def slope_at(rod, piece, place, sign, swings, change):
     """The derivative of the length of a branch by the loads, over the rod's length."""
-    stay = stay_at(rod.beta, rod.eta, rod.field_angle, piece, delays(piece), place)
-    swing, arrival = rates_of_times(rod.beta, rod.eta, rod.field_angle, stay.motion, change)
+    item = sample_at(rod.beta, rod.eta, rod.field_angle, piece, delays(piece), place)
+    swing, arrival = rates_of_sample(rod, item, change)
     return ((2 * swings * swing if swings else 0) + sign * arrival) / rod.length
 
 
@@ -4963,7 +5238,8 @@ def mark_at(rod, turns, piece, sample, key, sign, swings, before, after):
         item = sample(place)
         return (2 * swings * item.swing_rate if swings else 0) + sign * item.arrival_rate
 
-    place = zero_between(function, before.place, after.place, function(before.place), function(after.place))
+    ends = before.place, after.place
+    place = bracketed_root(function, ends, [function(end) for end in ends], 0)
     height = branch_length(sample(place), sign, swings) / rod.length - 1
     slope = slope_at(rod, piece, place, sign, swings, Change(0, 0, 1))
     return Mark(key, (rod.side, sign, swings, key[-1]), place, place, height, slope, rod, turns, piece)
@@ -4976,7 +5252,14 @@ def marks_on(rod, turns, piece, where, wanted):
     def sample(place):
         return probe(rod, piece, ends, place)
 
+    def too_low(place):
+        return least_arrival(rod.beta, rod.eta, piece, place) > (1 + WINDOW) * rod.length
+
+    if too_low(inf):
+        return
     places = grid(rod.beta, rod.eta, rod.length, piece)
+    while len(places) > 2 and too_low(places[1]):
+        places = places[1:]
     samples = dense(sample, [sample(place) for place in places], rod.length)
     branches = branches_near(samples, rod.length) if wanted is None else [wanted[len(where) : len(where) + 2]]
     for sign, swings in branches:
@@ -5017,7 +5300,9 @@ def rod_of(mark):
     """The equilibrium of an extremum."""
     _, sign, swings, _ = mark.group
     index = 2 * swings - (1 if sign < 0 else 0)
-    return bent_rod(mark.rod, mark.turns, mark.piece, Crossing(mark.place, swings, sign, True), index)
+    rod, piece = mark.rod, mark.piece
+    sample = sample_at(rod.beta, rod.eta, rod.field_angle, piece, delays(piece), mark.place)
+    return bent_rod(rod, mark.turns, piece, Crossing(sample, swings, sign, True), index)
 
 
 def fold_of(mark):
@@ -5172,7 +5457,7 @@ def root(values_at, bracket):
         record = record_at(place)
         return before.height if record is None else record.height
 
-    record = record_at(zero_between(function, low, high, before.height, after.height))
+    record = record_at(bracketed_root(function, (low, high), (before.height, after.height), 0))
     return record if record is not None and abs(record.height) < LEAP else None
 
 
@@ -5270,7 +5555,7 @@ def level_point(at, name, low, high, before, after):
         mark = mark_at(eta)
         return before.slope if mark is None else mark.slope
 
-    return mark_at(zero_between(function, low, high, before.slope, after.slope))
+    return mark_at(bracketed_root(function, (low, high), (before.slope, after.slope), 0))
 
 
 def stationary(at, places, origin, key):

@@ -7,7 +7,8 @@ Load case: parallel. Valid for beta >= 0, eta >= 0, length > 0, any clamp_angle.
 Formulas, each proved equal to its derivation:
     arc_kink (DLMF 19.29(ii)), arc_kink_tip, arc_square (DLMF 19.29(ii)), arc_y (exsl36), arc_z (exsl41),
     back_below (DLMF 19.8(iii)), back_below_rest (DLMF 19.8(iii)), back_rest (DLMF 19.8(iii)),
-    back_square (DLMF 19.8(iii)), chi_cosine (DLMF 22.6(iii)), chi_coversine (DLMF 22.6(iii)),
+    back_square (DLMF 19.8(iii)), before_cosine (DLMF 22.8(i)), before_over (DLMF 22.8(i)),
+    before_sine (DLMF 22.8(i)), chi_cosine (DLMF 22.6(iii)), chi_coversine (DLMF 22.6(iii)),
     chi_rate (DLMF 22.6(iii)), chi_scale (DLMF 22.6(iii)), chi_square (DLMF 4.21(iii)),
     chi_versine (DLMF 22.6(iii)), far_pair_root, far_root, gauss_rest (DLMF 19.8(iii)),
     gauss_square (DLMF 19.8(iii)), half_rest (DLMF 22.6(iii)), half_rest_beyond (DLMF 22.6(iii)),
@@ -18,7 +19,7 @@ Formulas, each proved equal to its derivation:
     second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic, turn_level, turn_over (DLMF 4.21(iii)),
     turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
     w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 af2de1b743365e90c2a82e30fa0fd25ec763ecf1dc554ceb6f778554faf51540
+Digest of the inputs: sha256 bb443b4806633b5236c98b968f6dac533d33ff65f8cad209c8153d5d00f0042f
 """
 
 from __future__ import annotations
@@ -127,9 +128,15 @@ def ceil(x):
 
 
 def arctan_share(z, end):
-    """R_C(1, end) for complex end = 1 + z: arctan(√z)/√z (DLMF 19.2.18)."""
-    if abs(z) < eps:
-        return 1 - z / 3
+    """R_C(1, end) for complex end = 1 + z: arctan(√z)/√z (DLMF 19.2.18).
+
+    By its series where z is small: there mpmath's complex arctangent is a difference of logarithms near 0.
+    """
+    if abs(z) < mpf("0.001"):
+        total, power, n = 1, -z, 3
+        while abs(power) > eps:
+            total, power, n = total + power / n, -power * z, n + 2
+        return total
     if abs(z) < 0.5:
         root = complex_sqrt(z)
         return atan(root) / root
@@ -464,6 +471,30 @@ def pair_root_sum(square, delta):
     return 2 * delta / sqrt(square)
 
 
+def before_over(first, square, rest, by_delta):
+    """What the cosine of a difference of lengths is divided by; by_delta is Δ at the length taken off.
+
+    Equation DLMF 22.8(i); proved as swing.before_over.
+    """
+    return square * by_delta / first + first * rest / by_delta
+
+
+def before_sine(first, square, rest, delta, by_square, by_rest, by_delta, fall):
+    """sin ψ at the difference of two lengths from the tip, by the difference of their sin²ψ.
+
+    Equation DLMF 22.8(i); proved as swing.before_sine.
+    """
+    return first * fall / ((sqrt(square * by_rest) + delta * sqrt(rest * by_square) / by_delta) * by_delta)
+
+
+def before_cosine(first, square, rest, delta, by_square, by_rest, by_delta, over):
+    """cos ψ at the difference of two lengths from the tip.
+
+    Equation DLMF 22.8(i); proved as swing.before_cosine.
+    """
+    return (delta * sqrt(square * by_square) / first + first * sqrt(rest * by_rest) / by_delta) / over
+
+
 def back_below(first, second, square):
     """2a(a + b)/(a + Δ) by sin²ψ′, for a > b: Gauss's step undone.
 
@@ -623,8 +654,7 @@ def digits(dps):
     return wanted
 
 
-@dataclass(frozen=True, slots=True)
-class Rod:
+class Rod(NamedTuple):
     """A rod in units in which β + η is of order one: lengths are 2**scale times the user's.
 
 
@@ -679,9 +709,12 @@ class Arc(NamedTuple):
     square: mpf
 
 
-@dataclass(frozen=True, slots=True)
-class Swing:
-    """A half-swing of a bent rod, for its shape: how it was found, its length, and its arc. turns: of the clamp."""
+class Swing(NamedTuple):
+    """A half-swing of a bent rod, for its shape: how it was found, its length, and its arc. turns: of the clamp.
+
+    The clamp lies on the half-swing after ``whole`` of them, at the length ``arrival`` from where the motion is as at
+    the tip, of which ``regular`` is not straight, and at the phase ψ with sin²ψ = square and cos²ψ = rest.
+    """
 
     stay: Stay
     turns: int
@@ -689,6 +722,11 @@ class Swing:
     arc: Arc
     middle_angle: mpf
     far_angle: mpf
+    whole: int
+    arrival: mpf
+    regular: mpf
+    square: mpf
+    rest: mpf
 
 
 def not_negative(name: str, value: object) -> mpf:
@@ -716,14 +754,6 @@ def weak_rod(beta, eta, length, clamp_angle):
     tip = clamp_angle - moment * length * length / 2
     y, z = length * cos(clamp_angle), length * sin(clamp_angle)
     return Equilibrium(tip, -moment * length, gamma, y, z, -gamma * length / 2, 0, rod, None)
-
-
-def in_order(found):
-    """The list with tips that are nearer than rounding given as equal, where rounding would exchange them."""
-    for k in range(1, len(found)):
-        if found[k].tip_angle < found[k - 1].tip_angle:
-            found[k] = replace(found[k], tip_angle=found[k - 1].tip_angle)
-    return found
 
 
 class Rest(NamedTuple):
@@ -794,6 +824,12 @@ def landscape(beta, eta):
     if beta == 0:
         return parallel_alone(eta)
     return parallel_double(beta, eta) if eta > beta else parallel_single(beta, eta)
+
+
+def landscapes(beta, eta):
+    """The landscape of a rod, and that of its mirror image."""
+    scene = landscape(beta, eta)
+    return scene, scene
 
 
 def offset_from(rest, angle, turns):
@@ -868,33 +904,46 @@ def fall(eta, rest, start, change):
     return fall_from_rest(eta, rest.stiffness, rest.double_cosine, rest.double_sine, start + half, half)
 
 
-def moment_from_rest(eta, stiffness, double_cosine, double_sine, offset):
-    """θ″ = −V′ at an offset from a direction without moment."""
-    return rest_moment(eta, stiffness, double_cosine, double_sine, sin(offset / 2), cos(offset / 2))
+def pick_rest(condition, yes, no):
+    """One or the other direction, number by number."""
+    return Rest(*(pick(condition, *pair) for pair in zip(yes, no, strict=True)))
 
 
-def slope(eta, rest, offset):
-    """θ″ at an offset from a direction without moment."""
-    return moment_from_rest(eta, rest.stiffness, rest.double_cosine, rest.double_sine, offset)
+def step_to(eta, rest, offset, goal):
+    """Newton's step to where the square root of the change of V from a direction without moment is ``goal``, and by
+    how much its slope changes half way there, as a share of it."""
+    small, large = sin(offset / 4), cos(offset / 4)
+    sine, cosine = 2 * small * large, 1 - 2 * small * small
+    level = rest_fall(eta, rest.stiffness, rest.double_cosine, rest.double_sine, small, large, small, large)
+    force = abs(rest_moment(eta, rest.stiffness, rest.double_cosine, rest.double_sine, sine, cosine))
+    here, force = sqrt(abs(level)), larger(force, epsilon() ** 20)
+    whole_sine, whole_cosine = 2 * sine * cosine, 1 - 2 * sine * sine
+    # dθ″/dθ, by β and α as the direction has them.
+    turned = rest.double_cosine * (2 * whole_cosine * whole_cosine - 1 - whole_cosine)
+    turned = turned - rest.double_sine * whole_sine * (2 * whole_cosine - 0.5)
+    bend = (rest.stiffness * whole_cosine + eta * turned) * (here / force) * (here / force)
+    share = (here - goal) / larger(here, epsilon() ** 20)
+    return 2 * here * (here - goal) / force, share * (pick(level < 0, -bend, bend) - 0.5)
 
 
 def reach(eta, rest, amount, most, side):
     """The distance from a hill (or a well) at which V is lower (or higher) by ``amount``, to one side.
 
-    most: the distance of the next well (or hill). Newton's method for the square root of the difference, which is
+    most: the distance of the next well (or hill). Halley's method for the square root of the difference, which is
     nearly linear, from the pendulum's value.
     """
     amount = larger(amount, 0)  # of a hill and a well that nearly meet, rounding may give less
     share = amount / larger(abs(fall(eta, rest, 0, side * most)), epsilon() ** 20)
     near = most * asin(sqrt(pick(share < 1, share, 1))) * (2 / pi)
-    goal, moving = sqrt(amount), True
+    goal = sqrt(amount)
     for _ in range(40):
-        here = sqrt(abs(fall(eta, rest, 0, side * near)))
-        force = larger(abs(slope(eta, rest, side * near)), epsilon() ** 20)
-        trial = near - 2 * here * (here - goal) / force
+        step, bent = step_to(eta, rest, side * near, goal)
+        safe = abs(bent) < 0.5
+        trial = near - step / pick(safe, 1 - bent, 1)
         trial = pick(trial > most, (near + most) / 2, pick(trial < 0, near / 2, trial))
-        # Newton's method squares the error: after a step this small the next one would change nothing.
-        moving, near = abs(trial - near) > spacing(trial) ** mpf("0.6") * near, trial
+        # The method cubes the error, and Newton's squares it: after steps this small the next would change nothing.
+        small = pick(safe, spacing(trial) ** mpf("0.45"), spacing(trial) ** mpf("0.6"))
+        moving, near = abs(trial - near) > small * near, trial
         if not any_of(moving):
             break
     return near
@@ -903,7 +952,12 @@ def reach(eta, rest, amount, most, side):
 def ridge_ground(eta, scene, at, drop):
     """The ground with a lower ridge."""
     rests = scene.rests
-    level = reach(eta, rests[0], drop, rests[1].angle - rests[0].angle, 1)
+    down, above = rests[1].angle - rests[0].angle, fall(eta, rests[2], 0, rests[1].angle - rests[2].angle)
+    # Of a ridge that is next to its wells V tells at the hill nothing.
+    by_hill = drop < above
+    rest, amount = pick_rest(by_hill, rests[0], rests[1]), pick(by_hill, drop, above)
+    distance = reach(eta, rest, amount, down, pick(by_hill, 1, -1))
+    level = pick(by_hill, distance, down - distance)
     # Near the far hill V says which is higher only by the distance from that hill.
     height = pick(at[2] < -at[4], fall(eta, rests[2], 0, at[2]), fall(eta, rests[4], 0, at[4]) - drop)
     return Ground(eta, scene, at, drop, level, height)
@@ -924,11 +978,6 @@ def ground_of(beta, eta, scene, clamp):
 def in_basin(at, first, inside, builders):
     """The range of a clamp inside a basin: one before the well and at it, another beyond."""
     return [(inside & (at[first + 1] <= 0), builders[0]), (inside & (at[first + 1] > 0), builders[1])]
-
-
-def pick_rest(condition, yes, no):
-    """One or the other direction, number by number."""
-    return Rest(*(pick(condition, *pair) for pair in zip(yes, no, strict=True)))
 
 
 class Basin(NamedTuple):
@@ -975,7 +1024,8 @@ def piece_of(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_ga
     rest, offset = rests[0], at[0]
     for other, distance in zip(rests[1:], at[1:], strict=False):
         closer = abs(distance) < abs(offset)
-        rest, offset = pick_rest(closer, other, rest), pick(closer, distance, offset)
+        if any_of(closer):
+            rest, offset = pick_rest(closer, other, rest), pick(closer, distance, offset)
     last = at[len(rests) - 1]
     return Piece(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last)
 
@@ -1045,11 +1095,21 @@ def pass_level(ground):
     return piece_of(over, "hill", "level", 0, level, over.well.angle - over.hill.angle - level, at[0] - level, 0, at)
 
 
-def onward(eta, rest, start, amount, rough):
+def moment_from_rest(eta, stiffness, double_cosine, double_sine, offset):
+    """θ″ = −V′ at an offset from a direction without moment."""
+    return rest_moment(eta, stiffness, double_cosine, double_sine, sin(offset / 2), cos(offset / 2))
+
+
+def slope(eta, rest, offset):
+    """θ″ at an offset from a direction without moment."""
+    return moment_from_rest(eta, rest.stiffness, rest.double_cosine, rest.double_sine, offset)
+
+
+def onward(eta, rest, start, amount, rough, wanted):
     """How far beyond ``start``, an offset from a direction without moment, V has fallen by ``amount``.
 
     The rough value is good to rounding of the angles; where little of it is left, the slope of V at the start gives a
-    better one. Newton's method does the rest.
+    better one. Newton's method does the rest, until all that are wanted are found.
     """
     steep = slope(eta, rest, start)
     told = (abs(rough) > mpf("0.001") * abs(start)) | (steep == 0)
@@ -1057,8 +1117,10 @@ def onward(eta, rest, start, amount, rough):
     for _ in range(40):
         force = slope(eta, rest, start + distance)
         step = (fall(eta, rest, start, distance) - amount) / pick(force == 0, 1, force)
-        distance = pick(abs(distance - step) > pi, rough, distance - step)
-        if not any_of(abs(step) > spacing(distance) ** mpf("0.6") * abs(distance)):
+        away = abs(distance - step) > pi
+        stuck = away & (distance == rough)
+        distance = pick(away, rough, distance - step)
+        if not any_of(wanted & (stuck == 0) & (abs(step) > spacing(distance) ** mpf("0.6") * abs(distance))):
             break
     return distance
 
@@ -1069,7 +1131,8 @@ def pass_turn(ground):
     down = over.well.angle - over.hill.angle
     width = -at[4] if over.even else reach(eta, over.hill, fall(eta, over.far, 0, at[4]), down, 1)
     # Towards the hill V is flat and tells little, but there the angles tell all.
-    gap = pick(width < level / 2, level - width, -onward(eta, over.hill, level, ground.height, width - level))
+    near = width >= level / 2
+    gap = pick(near, -onward(eta, over.hill, level, ground.height, width - level, near), level - width)
     return piece_of(over, "hill", "turn", 0, width, down - width, at[0] - width, gap, at)
 
 
@@ -1087,7 +1150,7 @@ def level_turn(ground):
     from_well = reach(eta, basin.well, above, down, -1)
     # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
     from_hill = reach(eta, basin.hill, ground.drop + below, down, 1)
-    near = onward(eta, basin.hill, level, below, from_hill - level)
+    near = onward(eta, basin.hill, level, below, from_hill - level, True)
     width = pick(below < above / 4, near, down - level - from_well)
     return piece_of(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
 
@@ -1206,9 +1269,10 @@ def beyond_clamp(eta, piece, drop, rough):
     basin, rest, start = piece.basin, piece.clamp_rest, piece.clamp_offset
     high = -piece.high_depth
     amount = fall(eta, basin.well, high - drop, drop)
-    better = onward(eta, rest, start, -amount, rough)
+    far = rough > 0.25 * abs(start)
+    better = onward(eta, rest, start, -amount, rough, far == 0)
     # Newton's method leaves a place where V is nearly level for one far away.
-    return pick((rough > 0.25 * abs(start)) | (abs(better - rough) > mpf("0.01")), rough, better)
+    return pick(far | (abs(better - rough) > mpf("0.01")), rough, better)
 
 
 def far_side(eta, piece, rise, drop, depth, done):
@@ -1267,25 +1331,37 @@ def above_field(eta, basin, middle, half_width, height):
     return (height + fall(eta, basin.axis, 0, offset)) / pick(turn == 0, 1, turn)
 
 
+def mean_less_field(eta, basin, middle, half_width, double, near, far, height, mean):
+    """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
+    level."""
+    apart = mean - eta
+    close = apart <= mpf("0.1") * eta
+    if any_of(close):
+        ahead, behind = sin(half_width / 2 + double / 2), sin(half_width / 2 - double / 2)
+        by_far, by_near = far - 2 * eta * ahead * ahead, near - 2 * eta * behind * behind
+        known = pick(2 * by_far > far, by_far, by_near)
+        far_off = close & (2 * by_far <= far) & (2 * by_near <= near)
+        if any_of(far_off):
+            known = pick(far_off, above_field(eta, basin, middle, half_width, height), known)
+        apart = pick(close, known, apart)
+    # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.
+    least = larger(height, epsilon() ** 19) if basin.passes else epsilon() * pick(near < far, near, far) / 4
+    return larger(apart, least)
+
+
 def rates(beta, eta, basin, tip, half_width, sine, near, far, height):
     """dχ/dσ at the ends and in the middle of the motion."""
     middle, cosine = tip + half_width, cos(half_width)
     double = 2 * middle
+    cos_middle, cos_double = cos(middle), cos(double)
     product = sqrt(near) * sqrt(far)
-    excess = -(2 * beta * cos(middle) * cosine + eta * cos(double) * (1 + cosine * cosine))
-    mean = -(2 * beta * cos(middle) + eta * cosine * cos(double))
-    # mean − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to level.
-    ahead, behind = sin(half_width / 2 + double / 2), sin(half_width / 2 - double / 2)
-    by_far, by_near = far - 2 * eta * ahead * ahead, near - 2 * eta * behind * behind
-    apart = above_field(eta, basin, middle, half_width, height)
-    apart = pick(2 * by_near > near, by_near, apart)
-    apart = pick(2 * by_far > far, by_far, apart)
-    apart = pick(mean - eta > mpf("0.1") * eta, mean - eta, apart)
-    # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.
-    least = larger(height, epsilon() ** 19) if basin.passes else epsilon() * pick(near < far, near, far) / 4
-    apart = larger(apart, least)
-    split = sine * sqrt(apart * (mean + eta) / pick(excess < 0, product - excess, 1))
-    return sqrt(product / 2), pick(excess < 0, split, sqrt(product + larger(excess, 0))) / 2
+    excess = -(2 * beta * cos_middle * cosine + eta * cos_double * (1 + cosine * cosine))
+    split, rate = excess < 0, sqrt(product + larger(excess, 0))
+    if any_of(split):
+        mean = -(2 * beta * cos_middle + eta * cosine * cos_double)
+        apart = mean_less_field(eta, basin, middle, half_width, double, near, far, height, mean)
+        rate = pick(split, sine * sqrt(apart * (mean + eta) / pick(split, product - excess, 1)), rate)
+    return sqrt(product / 2), rate / 2
 
 
 def motion_at(beta, eta, piece: Piece, place):
@@ -1402,59 +1478,58 @@ def lengths(a, b, square, rest):
     return pi / (2 * mean), atan2(sqrt(square), sqrt(rest)) / mean
 
 
-def times(motion):
-    """Half-swing, and the length from the tip to the clamp."""
-    phase = phase_of(motion)
-    return lengths(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
-
-
 class Sample(NamedTuple):
-    """Half-swing and first arrival at a place of a piece."""
+    """Half-swing and first arrival at a place of a piece, and of what they are: the motion and its phase at the clamp.
+
+    The motion alone has the half-swing and the arrival without the lengths for which it stays anywhere.
+    """
 
     place: mpf
     swing: mpf
     arrival: mpf
+    stay: Stay
+    phase: Phase
+    regular: tuple[mpf, mpf]
 
 
 def sample_at(beta, eta, piece, ends, place):
     """The sample at a place."""
     stay = stay_at(beta, eta, piece, ends, place)
-    swing, arrival = times(stay.motion)
-    return Sample(place, swing + stay.tip + stay.middle + stay.far, arrival + stay.tip + stay.arrival)
+    motion = stay.motion
+    phase = phase_of(motion)
+    regular = swing, arrival = lengths(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
+    swing, arrival = swing + stay.tip + stay.middle + stay.far, arrival + stay.tip + stay.arrival
+    return Sample(place, swing, arrival, stay, phase, regular)
 
 
-def bends(first, second, third, length):
-    """Whether the curves bend so much at the second sample that a count may reach a whole number unseen beside it.
+def least_arrival(beta, eta, piece, place):
+    """A length before which no motion from a place, or from a lower one, arrives.
 
-    By how far the straight line through two samples misses the third.
+    θ″ is nowhere more than β + η/2, and at an offset from the hill no more than β + η times that: a motion that has
+    the lesser of these two gets ahead of it.
     """
-    share = (third.place - second.place) / (second.place - first.place)
-    swing = third.swing - second.swing - share * (second.swing - first.swing)
-    arrival = third.arrival - second.arrival - share * (second.arrival - first.arrival)
-    least = min(first.swing, second.swing, third.swing)
-    reach = (abs(arrival) + (length / least * abs(swing) if length > least else 0)) / (2 * least)
-    for sign in (1, -1):
-        for item in (first, second, third):
-            count = (length - sign * item.arrival) / (2 * item.swing)
-            whole = floor(count + 0.5)
-            if abs(count - whole) < reach and (whole > 0 or (whole == 0 and sign > 0)):
-                return True
-    return False
+    steep, most = beta + eta, beta + eta / 2
+    share = 1 / (1 + exp(-max(place, -deepest(piece.width))))
+    offset = piece.low_offset + piece.width * share
+    clamp = piece.low_offset + piece.width + piece.clamp_gap
+    bend = min(clamp, most / steep)
+    arrival, speed = 0.0, 0.0
+    if offset < bend:
+        ratio = bend / offset
+        away = sqrt((ratio - 1) * (ratio + 1))
+        arrival, speed = log(ratio + away) / sqrt(steep), sqrt(steep) * away * offset
+    rest = clamp - max(offset, bend)
+    return arrival + (2 * rest / (speed + sqrt(speed * speed + 2 * most * rest)) if rest > 0 else 0)
 
 
-def refined(sample, samples, length):
-    """More samples where half-swing or arrival bend between neighbours, as far as the rod's length is sensitive."""
-    done, todo = [samples[0]], samples[:0:-1]
-    while todo:
-        before, after = done[-1], todo[-1]
-        apart = after.place - before.place > mpf("1.3")
-        beside = [(done[-2], before, after)] if len(done) > 1 else []
-        beside += [(before, after, todo[-2])] if len(todo) > 1 else []
-        if apart and any(bends(one, two, three, length) for one, two, three in beside):
-            todo.append(sample((before.place + after.place) / 2))
-        else:
-            done.append(todo.pop())
-    return done
+def fall_between(eta, piece, one, other):
+    """How far V falls from the tip at a place to that at a higher one."""
+    rise, drop = piece.width / (1 + exp(-one)), piece.width / (1 + exp(one))
+    further = piece.width / (1 + exp(-other)) - rise if one < 0 else drop - piece.width / (1 + exp(other))
+    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
+    if from_hill < depth:
+        return fall(eta, piece.basin.hill, from_hill, further)
+    return fall(eta, piece.basin.well, -depth, further)
 
 
 def grid(beta, eta, length, piece):
@@ -1511,19 +1586,167 @@ def places(beta, eta, length, piece):
     return sorted([*found, *(place for place in around if found[0] < place < found[-1])])
 
 
+def arrives_convexly(piece):
+    """Whether the first arrival is a convex function of the energy V(tip): see docs/solver.md."""
+    basin = piece.basin
+    known = basin.even or basin.far_rise == 0
+    return known and piece.clamp_gap > piece.high_depth
+
+
+def convex_bound(found, gap, fallen):
+    """What a convex arrival is nowhere less than in a gap between samples: the chords beside it, carried on."""
+    one, other = found[gap], found[gap + 1]
+    width, bound = fallen(one, other), -inf
+    for near, far in ((gap, gap - 1), (gap + 1, gap + 2)):
+        if 0 <= far < len(found):
+            beside = fallen(found[min(near, far)], found[max(near, far)])
+            if beside > 0:
+                steep = (found[far].arrival - found[near].arrival) / beside
+                bound = max(bound, found[near].arrival - max(steep * width, 0))
+    return bound
+
+
+def open_gap(found, fallen, length):
+    """The wider gap beside the least sample in which a convex arrival may be no longer than the length, or None."""
+    least = min(range(len(found)), key=lambda k: found[k].arrival)
+    best, widest = None, 2 * sqrt(epsilon()) * (1 + abs(found[least].place))
+    for gap in (least - 1, least):
+        if 0 <= gap < len(found) - 1:
+            width = found[gap + 1].place - found[gap].place
+            if width > widest and convex_bound(found, gap, fallen) <= (1 + mpf("1e-09")) * length:
+                best, widest = gap, width
+    return best
+
+
+def inner(places, one, other, always):
+    """The middle one of the places between two samples; where there is none, half way if ``always``, else None."""
+    inside = [place for place in places if one.place < place < other.place]
+    if inside:
+        return inside[len(inside) // 2]
+    return (one.place + other.place) / 2 if always else None
+
+
+def valley(sample, places, fallen, length):
+    """Samples on both sides of every crossing of a length that is shorter than a half-swing, for a convex arrival.
+
+    Without a crossing there may be none. fallen(one, other): how far V falls from the tip of a sample to the next.
+    """
+    found = [sample(place) for place in sorted({places[0], places[len(places) // 2], places[-1]})]
+    while min(item.arrival for item in found) > length:
+        gap = open_gap(found, fallen, length)
+        if gap is None:
+            return []
+        found.insert(gap + 1, sample(inner(places, found[gap], found[gap + 1], True)))
+    done, todo = [found[0]], found[:0:-1]
+    while todo:
+        crossed = (done[-1].arrival > length) != (todo[-1].arrival > length)
+        place = inner(places, done[-1], todo[-1], False) if crossed else None
+        if place is None:
+            done.append(todo.pop())
+        else:
+            todo.append(sample(place))
+    return done
+
+
+def bends(first, second, third, length):
+    """Whether the curves bend so much at the second sample that a count may reach a whole number unseen beside it.
+
+    By how far the straight line through two samples misses the third.
+    """
+    share = (third.place - second.place) / (second.place - first.place)
+    swing = third.swing - second.swing - share * (second.swing - first.swing)
+    arrival = third.arrival - second.arrival - share * (second.arrival - first.arrival)
+    least = min(first.swing, second.swing, third.swing)
+    reach = (abs(arrival) + (length / least * abs(swing) if length > least else 0)) / (2 * least)
+    for sign in (1, -1):
+        for item in (first, second, third):
+            count = (length - sign * item.arrival) / (2 * item.swing)
+            whole = floor(count + 0.5)
+            if abs(count - whole) < reach and (whole > 0 or (whole == 0 and sign > 0)):
+                return True
+    return False
+
+
+def refined(sample, samples, length):
+    """More samples where half-swing or arrival bend between neighbours, as far as the rod's length is sensitive."""
+    done, todo = [samples[0]], samples[:0:-1]
+    while todo:
+        before, after = done[-1], todo[-1]
+        apart = after.place - before.place > mpf("1.3")
+        beside = [(done[-2], before, after)] if len(done) > 1 else []
+        beside += [(before, after, todo[-2])] if len(todo) > 1 else []
+        if apart and any(bends(one, two, three, length) for one, two, three in beside):
+            todo.append(sample((before.place + after.place) / 2))
+        else:
+            done.append(todo.pop())
+    return done
+
+
+def falls(one, other):
+    """Whether no branch is longer at the second one."""
+    less, apart = one.swing - other.swing, one.arrival - other.arrival
+    return apart >= 0 and 2 * less >= apart
+
+
+def sampled(sample, places, first, soon):
+    """Samples from the first place on to one from which the motion arrives soon.
+
+    Nothing before and after is as long as the rod. One more is taken where the branches do not fall from there, or to
+    there.
+    """
+    found = [sample(place) for place in places[first : first + 2]]
+    for place in places[first + 2 :]:
+        if found[-1].arrival < soon and found[-1].arrival < found[-2].arrival:
+            break
+        found.append(sample(place))
+    while first > 0 and not falls(*found[:2]):
+        first -= 1
+        found.insert(0, sample(places[first]))
+    return found
+
+
 def end_sample(piece, last):
     """The high end itself, where its times are known: arrival at once, or after the whole half-swing."""
     if piece.high_kind == "clamp" and piece.clamp_gap == 0 and piece.high_depth > 0:
-        return Sample(last.place + 1e3, last.swing, 0 * last.swing)
+        return last._replace(place=last.place + 1e3, arrival=0 * last.swing)
     if piece.high_kind == "turn":
-        return Sample(last.place + 1e3, last.swing, last.swing)
+        return last._replace(place=last.place + 1e3, arrival=last.swing)
     return None
 
 
-def between(one, other, count_one, count_other, beside):
-    """The whole numbers from the lower count up to, but not at, the higher one."""
-    low, high = (count_one, count_other) if count_one < count_other else (count_other, count_one)
-    return [(turns, one, other, beside) for turns in range(max(ceil(low), 0), max(ceil(high), 0))]
+def samples_on(beta, eta, length, piece, sample, short):
+    """Samples of a piece, near enough for all crossings; short: the rod is shorter than any half-swing."""
+
+    def too_low(place):
+        return least_arrival(beta, eta, piece, place) > (1 + mpf("1e-09")) * length
+
+    def fallen(one, other):
+        return fall_between(eta, piece, one.place, other.place)
+
+    if too_low(inf):
+        return []
+    wanted = places(beta, eta, length, piece)
+    first = 0
+    while first + 2 < len(wanted) and too_low(wanted[first + 1]):
+        first += 1
+    if short and arrives_convexly(piece):
+        return valley(sample, wanted[first:], fallen, length)
+    # A motion that arrives before the stiffest pendulum is down arrives the sooner, the nearer its tip (Sturm).
+    quarter = pi / 2 / sqrt(beta + eta)
+    soon = (1 - mpf("1e-09")) * min(quarter, length) if short and piece.high_kind == "clamp" else 0
+    samples = refined(sample, sampled(sample, wanted, first, soon), length)
+    end = end_sample(piece, samples[-1])
+    return samples if end is None else [*samples, end]
+
+
+def between(samples, counts, k):
+    """The whole numbers from the lower count of a sample and that before it up to, but not at, the higher one."""
+    low, high = (counts[k - 1], counts[k]) if counts[k - 1] < counts[k] else (counts[k], counts[k - 1])
+    turns = range(max(ceil(low), 0), max(ceil(high), 0))
+    if not turns:
+        return []
+    beside = samples[k - 2] if k > 1 else samples[-1] if len(samples) == k + 1 else samples[k + 1]
+    return [(number, samples[k - 1], samples[k], beside) for number in turns]
 
 
 def dip(sample, short, left, middle, right):
@@ -1573,8 +1796,7 @@ def brackets(sample, samples, counts, length, sign):
     """(turns, sample, sample, a third) for every whole number that the count crosses between the two samples."""
     found = []
     for k in range(1, len(samples)):
-        beside = samples[k - 2] if k > 1 else samples[-1] if len(samples) == k + 1 else samples[k + 1]
-        found += between(samples[k - 1], samples[k], counts[k - 1], counts[k], beside)
+        found += between(samples, counts, k)
     for k in range(1, len(samples) - 1):
         before, here, after = counts[k - 1 : k + 2]
         if (before - here) * (after - here) > 0:
@@ -1595,18 +1817,17 @@ def interpolated(a, b, c, value_a, value_b, value_c):
     if x <= 0 or y * y >= x or (1 - y) * (1 - y) >= 1 - x:
         return 0.5
     share = value_a / (value_b - value_a) * value_c / (value_b - value_c)
-    return share + (c - a) / (b - a) * value_a / (value_c - value_a) * value_b / (value_c - value_b)
+    share = share + (c - a) / (b - a) * value_a / (value_c - value_a) * value_b / (value_c - value_b)
+    return share if 0 < share < 1 else 0.5
 
 
 def bracketed_root(function, places, values, blur):
     """A sign change of the function between the first two places, to rounding, by Chandrupatla's method (1997).
 
-    The third place has a value, too. blur: a value that rounding may have made of zero.
+    If there is a third place, it has a value, too. blur: a value that rounding may have made of zero.
     """
-    (a, b, c), (value_a, value_b, value_c) = places, values
-    fraction = interpolated(a, b, c, value_a, value_b, value_c)
-    if not 0 < fraction < 1:
-        fraction = 0.5
+    (a, b, *third), (value_a, value_b, *value_third) = places, values
+    fraction = interpolated(a, b, third[0], value_a, value_b, value_third[0]) if third else 0.5
     while True:
         trial = a + fraction * (b - a)
         value = function(trial)
@@ -1625,7 +1846,7 @@ def bracketed_root(function, places, values, blur):
 class Crossing(NamedTuple):
     """A tip whose rod has the right length, on branch 2·turns·H + sign·t; ``rising``: the branch grows with the tip."""
 
-    place: mpf
+    sample: Sample
     turns: int
     sign: int
     rising: bool
@@ -1633,15 +1854,16 @@ class Crossing(NamedTuple):
 
 def crossing(sample, turns, sign, length, before, after, beside):
     """The crossing between two samples on either side of it; a third one beside them helps to start."""
+    seen = {}
 
     def function(place):
-        return excess(sample(place), turns, sign, length)
+        seen[place] = sample(place)
+        return excess(seen[place], turns, sign, length)
 
-    low, high = excess(before, turns, sign, length), excess(after, turns, sign, length)
-    third = excess(beside, turns, sign, length)
-    points = (before.place, after.place, beside.place), (low, high, third)
-    place = bracketed_root(function, *points, epsilon() * length)
-    return Crossing(place, turns, sign, high > low)
+    known = (before, after, beside)
+    values = [excess(item, turns, sign, length) for item in known]
+    place = bracketed_root(function, [item.place for item in known], values, epsilon() * length)
+    return Crossing(seen.get(place) or sample(place), turns, sign, values[1] > values[0])
 
 
 def crossings(beta, eta, length, piece, most):
@@ -1652,13 +1874,10 @@ def crossings(beta, eta, length, piece, most):
         return sample_at(beta, eta, piece, ends, place)
 
     # No half-swing is shorter than that of the stiffest pendulum.
-    signs = (1,) if length * sqrt(beta + eta) < pi else (1, -1)
-    samples = refined(sample, [sample(place) for place in places(beta, eta, length, piece)], length)
-    end = end_sample(piece, samples[-1])
-    if end is not None:
-        samples.append(end)
+    short = length * sqrt(beta + eta) < pi
+    samples = samples_on(beta, eta, length, piece, sample, short)
     found = []
-    for sign in signs:
+    for sign in (1,) if short else (1, -1):
         counts = [(length - sign * item.arrival) / (2 * item.swing) for item in samples]
         for turns, before, after, beside in brackets(sample, samples, counts, length, sign):
             # At least 2·turns − 1 conjugate points, or one more on the branch that has gone on.
@@ -1811,10 +2030,8 @@ def clamp_point(motion, phase):
 def bent_rod(rod, turns, piece, crossing, index):
     """The equilibrium of a tip on its branch."""
     beta, eta, length = rod.beta, rod.eta, rod.length
-    stay = stay_at(beta, eta, piece, delays(piece), crossing.place)
+    stay, phase, (swing, arrival) = crossing.sample.stay, crossing.sample.phase, crossing.sample.regular
     motion, basin = stay.motion, piece.basin
-    phase = phase_of(motion)
-    swing, arrival = times(motion)
     whole = Arc(0, 0, 0)  # not asked for within the first half-swing
     if crossing.turns:
         whole = arc_to(beta, eta, motion, far_point(motion), 1, 0, swing)
@@ -1829,7 +2046,9 @@ def bent_rod(rod, turns, piece, crossing, index):
     gamma = 2 * beta * cos(motion.tip) + eta * aligned * aligned
     energy = gamma * length / 2 - 2 * beta * y - square
     scale = rod.scale
-    total = swing + stay.tip + stay.middle + stay.far
+    first = arrival + stay.tip + stay.arrival
+    # The length of the rod is better known than that of a half-swing.
+    half_swing = (length - sign * first) / both if both else swing + stay.tip + stay.middle + stay.far
     return Equilibrium(
         rod.side * (motion.tip + 2 * pi * turns),
         -rod.side * sign * ldexp(speed, scale),
@@ -1839,24 +2058,42 @@ def bent_rod(rod, turns, piece, crossing, index):
         ldexp(energy, scale),
         index,
         rod,
-        Swing(stay, turns, total, whole, basin.axis.angle, basin.far.angle),
+        Swing(
+            stay,
+            turns,
+            half_swing,
+            whole,
+            basin.axis.angle,
+            basin.far.angle,
+            both if sign > 0 else both - 1,
+            first,
+            arrival,
+            phase.square,
+            phase.rest,
+        ),
     )
 
 
-def below(rod, most):
+def below(rod, scene, clamp, most):
     """The equilibria with tips below the clamp angle, from the lowest up; tips may be nearer than rounding."""
     beta, eta = rod.beta, rod.eta
-    scene = landscape(beta, eta)
-    clamp = clamp_in(scene.rests, rod.clamp_angle)
     found = []
     for piece in pieces(beta, eta, scene, clamp):
         if not piece.width > 0:  # the clamp angle is at the level of the ridge, to rounding
             continue
         here = crossings(beta, eta, rod.length, piece, most)
-        for crossing in sorted(here, key=lambda item: item.place):
+        for crossing in sorted(here, key=lambda item: item.sample.place):
             index = index_of(crossing)
             if index <= most:
                 found.append(bent_rod(rod, clamp.turns, piece, crossing, index))
+    return found
+
+
+def in_order(found):
+    """The list with tips that are nearer than rounding given as equal, where rounding would exchange them."""
+    for k in range(1, len(found)):
+        if found[k].tip_angle < found[k - 1].tip_angle:
+            found[k] = replace(found[k], tip_angle=found[k - 1].tip_angle)
     return found
 
 
@@ -1895,11 +2132,9 @@ def straight_rod(rod, rest):
     )
 
 
-def straight(rod, most):
+def straight(rod, scene, clamp, most):
     """The straight equilibrium, if the clamp angle is a direction without moment."""
-    scene = landscape(rod.beta, rod.eta)
-    offsets = clamp_in(scene.rests, rod.clamp_angle).offsets
-    found = [straight_rod(rod, rest) for rest, offset in zip(scene.rests, offsets, strict=True) if offset == 0]
+    found = [straight_rod(rod, rest) for rest, offset in zip(scene.rests, clamp.offsets, strict=True) if offset == 0]
     return [item for item in found if item.index <= most]
 
 
@@ -1911,7 +2146,10 @@ def all_equilibria(beta, eta, length, clamp_angle, max_index):
     scale = frexp(beta + eta)[1] // 2
     rod = Rod(ldexp(beta, -2 * scale), ldexp(eta, -2 * scale), ldexp(length, scale), clamp_angle, 1, scale)
     mirrored = Rod(rod.beta, rod.eta, rod.length, -clamp_angle, -1, scale)
-    return in_order([*below(rod, most), *straight(rod, most), *below(mirrored, most)[::-1]])
+    scene, other = landscapes(rod.beta, rod.eta)
+    clamp = clamp_in(scene.rests, rod.clamp_angle)
+    above = below(mirrored, other, clamp_in(other.rests, mirrored.clamp_angle), most)
+    return in_order([*below(rod, scene, clamp, most), *straight(rod, scene, clamp, most), *above[::-1]])
 
 
 def index_limit(max_index):
@@ -1924,25 +2162,108 @@ def index_limit(max_index):
     return limit
 
 
-def phase_at(a, b, length):
-    """sin²ψ and cos²ψ at a length from the tip within the half-swing: the transformation undone."""
+class Station(NamedTuple):
+    """A point of the rod on its half-swing: lengths from the tip and from the far turning point.
+
+    whole: half-swings between the tip and the one it lies on, which is run through backwards where that is odd.
+    beside: the length from the clamp; away: 1 where the motion from the tip is beyond the clamp there, −1 where it is
+    before it, 0 where a turning point lies between.
+    """
+
+    whole: int
+    from_tip: mpf
+    from_far: mpf
+    beside: mpf
+    away: int
+
+
+def station_at(swing, whole, from_tip, length, beside, away):
+    """The station at a length from the tip, or from the far turning point."""
+    other = swing.length - length
+    near, far = (length, other) if from_tip else (other, length)
+    return Station(whole, near, far, beside, away)
+
+
+def station_of(rod, swing, s):
+    """The point at a length from the clamp, measured from the nearer end of the rod.
+
+    The last digit of a long rod's length is many digits of θ where it bends beside the clamp.
+    """
+    towards_tip = swing.whole % 2 == 0
+    ahead = swing.arrival if towards_tip else swing.length - swing.arrival
+    if s < 0 or 2 * s >= rod.length:  # series of bins begin before the clamp
+        whole = floor((rod.length - s) / swing.length)
+        return station_at(swing, whole, whole % 2 == 0, rod.length - s - whole * swing.length, s, 0)
+    if s <= ahead:
+        return station_at(swing, swing.whole, towards_tip, ahead - s, s, -1 if towards_tip else 1)
+    turned = floor((s - ahead) / swing.length)
+    over = s - ahead - turned * swing.length
+    return station_at(swing, swing.whole - 1 - turned, towards_tip == (turned % 2 == 0), over, s, 0)
+
+
+def parts(length, stay, regular, middle_stay):
+    """A length from a turning point: straight there, of the motion itself, straight in its middle, and the rest.
+
+    Where the motion stays near its tip, its middle or its far turning point, the rod is straight.
+    """
+    first = min(length, stay)
+    rest = length - first
+    before = min(rest, regular / 2) if middle_stay > 0 else min(rest, regular)
+    middle = min(rest - before, middle_stay)
+    here = min(before + max(rest - before - middle, 0), regular)
+    return first, here, middle, max(rest - middle - here, 0)
+
+
+def next_to_clamp(swing, station, here, left):
+    """Whether a point is nearer to the clamp than to the turning point ahead, with nothing straight between."""
+    stay = swing.stay
+    if station.away == 0 or station.beside > (left if station.away > 0 else here):
+        return False
+    middle = (here + left) / 2
+    same_half = (swing.regular - middle) * (here - middle) > 0 and stay.arrival in (0, stay.middle)
+    return stay.middle == 0 or same_half
+
+
+def phase_before(a, b, square, rest, by):
+    """sin²ψ and cos²ψ at a length before a known phase; by: those at the length itself."""
+    by_square, by_rest = by
+    delta, by_delta = phase_rate(a, b, square, rest), phase_rate(a, b, by_square, by_rest)
+    fall = square - by_square if square < rest else by_rest - rest
+    over = before_over(a, square, rest, by_delta)
+    sine = before_sine(a, square, rest, delta, by_square, by_rest, by_delta, fall)
+    cosine = before_cosine(a, square, rest, delta, by_square, by_rest, by_delta, over)
+    return sine * sine, cosine * cosine
+
+
+def phase_at(a, b, length, left):
+    """sin²ψ and cos²ψ at lengths from the tip and from the half-swing's end: the transformation undone."""
     limit = 2 * epsilon() ** 0.5
     steps = [(a, b)]
     while any_of(abs(a - b) > limit * a):
         a, b = (a + b) / 2, sqrt(a * b)
         steps.append((a, b))
     a, b = (a + b) / 2, sqrt(a * b)
-    mean = (a + b) / 2
-    quarter = pi / (2 * mean)
-    first = 2 * length <= quarter
-    small = sin(mean * pick(first, length, quarter - length))
+    first = length <= left
+    small = sin((a + b) / 2 * pick(first, length, left))
     small = small * small
     square, rest = pick(first, small, 1 - small), pick(first, 1 - small, small)
     for a, b in reversed(steps):
         gap = a - b
         below = pick(gap > 0, back_below(a, b, square), back_below_rest(a, b, rest))
         square, rest = back_square(a, square, below), back_rest(a, b, gap, rest, below)
+        # The larger one is told best by the smaller one, and its rounding would double in each step.
+        square, rest = pick(rest < square, 1 - rest, square), pick(rest < square, rest, 1 - square)
     return square, rest
+
+
+def phase_beside(a, b, square, rest, station, whole):
+    """sin²ψ and cos²ψ of a point beside the clamp by those of the clamp; whole: the length of the half-swing."""
+    length, back = station.beside, whole - station.beside
+    if station.away < 0:
+        return phase_before(a, b, square, rest, phase_at(a, b, length, back))
+    # Seen from the far turning point.
+    square, rest = phase_before(b, a, rest, square, phase_at(b, a, length, back))
+    return rest, square
 
 
 def point_at(motion, square, rest):
@@ -1972,31 +2293,29 @@ def point_at(motion, square, rest):
     return point, atan2(over, under), done
 
 
-def regular_part(rod, motion, length):
-    """θ, dθ/dσ and the arc by the motion alone."""
-    if length <= 0:
-        return motion.tip, 0 * length, Arc(0, 0, 0)
-    square, rest = phase_at(motion.end / 2, motion.middle / 2, length)
+def regular_part(rod, swing, station, here, left):
+    """θ, dθ/dσ and the arc by the motion alone, at its lengths from the tip and from the far turning point."""
+    motion = swing.stay.motion
+    if here <= epsilon() * left:  # where the square of the phase may underflow
+        return motion.tip, 0 * here, Arc(0, 0, 0)
+    a, b = motion.end / 2, motion.middle / 2
+    if next_to_clamp(swing, station, here, left):
+        square, rest = phase_beside(a, b, swing.square, swing.rest, station, here + left)
+    else:
+        square, rest = phase_at(a, b, here, left)
     point, half, low = point_at(motion, square, rest)
-    arc = arc_to(rod.beta, rod.eta, motion, point, square, rest, length)
+    arc = arc_to(rod.beta, rod.eta, motion, point, square, rest, here)
     speed = point_speed(point.strength, low, point.one, point.product)
     return motion.tip + 2 * half, speed, arc
 
 
-def within_swing(rod, swing, length):
-    """θ, dθ/dσ and the arc at a length from the tip within the first half-swing.
-
-    Where the motion stays near its tip, its middle or its far turning point, the rod is straight.
-    """
+def on_swing(rod, swing, station):
+    """θ, dθ/dσ and the arc from the tip at a point of the first half-swing."""
     stay, motion = swing.stay, swing.stay.motion
     regular = swing.length - stay.tip - stay.middle - stay.far
-    tip = min(length, stay.tip)
-    rest = length - tip
-    before = min(rest, regular / 2) if stay.middle > 0 else min(rest, regular)
-    middle = min(rest - before, stay.middle)
-    here = min(before + max(rest - before - middle, 0), regular)
-    far = max(rest - middle - here, 0)
-    angle, speed, arc = regular_part(rod, motion, here)
+    tip, here, middle, far = parts(station.from_tip, stay.tip, regular, stay.middle)
+    _, left, _, _ = parts(station.from_far, stay.far, regular, stay.middle)
+    angle, speed, arc = regular_part(rod, swing, station, here, left)
     for straight, extent in ((motion.tip, tip), (swing.middle_angle, middle), (swing.far_angle, far)):
         if extent > 0:
             arc = Arc(arc.y + extent * cos(straight), arc.z + extent * sin(straight), arc.square)
@@ -2011,12 +2330,10 @@ def angle_and_position(equilibrium, s):
         share, left, bend = s / length, length - s, equilibrium.clamp_curvature
         angle = equilibrium.tip_angle - bend * left * (left / length) / 2
         return angle, bend * (left / length), equilibrium.y * share, equilibrium.z * share
-    sigma = rod.length - ldexp(s, rod.scale)
-    count = floor(sigma / swing.length)
-    within = sigma - count * swing.length
-    back = count % 2 == 1
-    angle, speed, arc = within_swing(rod, swing, swing.length - within if back else within)
-    times = count + 1 if back else count
+    station = station_of(rod, swing, ldexp(s, rod.scale))
+    back = station.whole % 2 == 1
+    angle, speed, arc = on_swing(rod, swing, station)
+    times = station.whole + 1 if back else station.whole
     sign = -1 if back else 1
     y = equilibrium.y - ldexp(times * swing.arc.y + sign * arc.y, -rod.scale)
     z = equilibrium.z - rod.side * ldexp(times * swing.arc.z + sign * arc.z, -rod.scale)
@@ -2207,15 +2524,15 @@ def sine_part(a, b, square, rest, arrival):
     return total
 
 
-def rates_of_times(beta, eta, motion, change):
+def rates_of_times(beta, eta, motion, phase, swing, arrival, change):
     """Derivatives of half-swing and first arrival along a change of tip angle and loads; the clamp angle stays.
+
+    phase, swing, arrival: of the motion.
 
     dI = −(S + X) dlog a − (C − X) dlog b + dψ/Δ for I = ∫dψ/Δ, Δ² = a² cos²ψ + b² sin²ψ, with S = ∫sin²ψ/Δ,
     C = ∫cos²ψ/Δ and X = sin ψ cos ψ/Δ (DLMF 19.4(i), there for E, F and k).
     """
     numbers = changes_of_numbers(beta, eta, motion, change)
-    phase = phase_of(motion)
-    swing, arrival = times(motion)
     a, b = motion.end, motion.middle
     square, rest = phase.square, phase.rest
     all_sine, sine = sine_part(a / 2, b / 2, 1, 0, swing), sine_part(a / 2, b / 2, square, rest, arrival)
@@ -2237,6 +2554,13 @@ def rates_of_times(beta, eta, motion, change):
     return swing_rate, arrival_rate
 
 
+def rates_of_sample(rod, item, change):
+    """The derivatives of half-swing and first arrival of a sample, but for the lengths for which it stays anywhere."""
+    swing, arrival = item.regular
+    motion = item.stay.motion
+    return rates_of_times(rod.beta, rod.eta, motion, item.phase, swing, arrival, change)
+
+
 class Change(NamedTuple):
     """The change of the tip angle and of the loads, along which a derivative is taken."""
 
@@ -2247,16 +2571,15 @@ class Change(NamedTuple):
 
 def probe(rod, piece, ends, place):
     """The times at a place and their derivatives; in the deep, these are the delays."""
-    stay = stay_at(rod.beta, rod.eta, piece, ends, place)
-    swing, arrival = times(stay.motion)
-    side = -1 if place < 0 else 1
+    item = sample_at(rod.beta, rod.eta, piece, ends, place)
     delay = ends[place >= 0]
-    swing, arrival = swing + stay.tip + stay.middle + stay.far, arrival + stay.tip + stay.arrival
     if abs(place) >= delay.deepest:
-        return Probe(place, swing, arrival, side * (delay.tip + delay.middle + delay.far), side * delay.arrival)
+        side = -1 if place < 0 else 1
+        rates = side * (delay.tip + delay.middle + delay.far), side * delay.arrival
+        return Probe(place, item.swing, item.arrival, *rates)
     share = piece.width / ((1 + exp(place)) * (1 + exp(-place)))
-    rates = rates_of_times(rod.beta, rod.eta, stay.motion, Change(share, 0, 0))
-    return Probe(place, swing, arrival, *rates)
+    rates = rates_of_sample(rod, item, Change(share, 0, 0))
+    return Probe(place, item.swing, item.arrival, *rates)
 
 
 def dense(sample, samples, length):
@@ -2269,7 +2592,8 @@ def dense(sample, samples, length):
         arrival = after.arrival - before.arrival - width * (after.arrival_rate + before.arrival_rate) / 2
         least = min(before.swing, after.swing)
         miss = abs(arrival) + (length / least * abs(swing) if length > least else 0)
-        if width > mpf("0.4") and miss > mpf("0.02") * length:
+        out_of_reach = min(before.arrival, after.arrival) - abs(arrival) > (1 + WINDOW) * length
+        if width > mpf("0.4") and miss > mpf("0.02") * length and (not out_of_reach):
             todo.append(sample((before.place + after.place) / 2))
         else:
             done.append(todo.pop())
@@ -2327,28 +2651,10 @@ def brackets_of(sample, samples, sign, swings, length):
     return found
 
 
-def zero_between(function, a, b, value_a, value_b):
-    """A sign change of a function between two places, to rounding, by Chandrupatla's method (1997)."""
-    fraction = 0.5
-    while True:
-        trial = a + fraction * (b - a)
-        value = function(trial)
-        if (value > 0) == (value_a > 0):
-            c, value_c = a, value_a
-        else:
-            c, value_c, b, value_b = b, value_b, a, value_a
-        a, value_a = trial, value
-        best, value_best = (a, value_a) if abs(value_a) < abs(value_b) else (b, value_b)
-        least = 2 * epsilon() * (1 + abs(best)) / abs(b - a)
-        if least > 0.5 or value_best == 0:
-            return best
-        fraction = min(1 - least, max(least, interpolated(a, b, c, value_a, value_b, value_c)))
-
-
 def slope_at(rod, piece, place, sign, swings, change):
     """The derivative of the length of a branch by the loads, over the rod's length."""
-    stay = stay_at(rod.beta, rod.eta, piece, delays(piece), place)
-    swing, arrival = rates_of_times(rod.beta, rod.eta, stay.motion, change)
+    item = sample_at(rod.beta, rod.eta, piece, delays(piece), place)
+    swing, arrival = rates_of_sample(rod, item, change)
     return ((2 * swings * swing if swings else 0) + sign * arrival) / rod.length
 
 
@@ -2359,7 +2665,8 @@ def mark_at(rod, turns, piece, sample, key, sign, swings, before, after):
         item = sample(place)
         return (2 * swings * item.swing_rate if swings else 0) + sign * item.arrival_rate
 
-    place = zero_between(function, before.place, after.place, function(before.place), function(after.place))
+    ends = before.place, after.place
+    place = bracketed_root(function, ends, [function(end) for end in ends], 0)
     height = branch_length(sample(place), sign, swings) / rod.length - 1
     slope = slope_at(rod, piece, place, sign, swings, Change(0, 0, 1))
     return Mark(key, (rod.side, sign, swings, key[-1]), place, place, height, slope, rod, turns, piece)
@@ -2372,7 +2679,14 @@ def marks_on(rod, turns, piece, where, wanted):
     def sample(place):
         return probe(rod, piece, ends, place)
 
+    def too_low(place):
+        return least_arrival(rod.beta, rod.eta, piece, place) > (1 + WINDOW) * rod.length
+
+    if too_low(inf):
+        return
     places = grid(rod.beta, rod.eta, rod.length, piece)
+    while len(places) > 2 and too_low(places[1]):
+        places = places[1:]
     samples = dense(sample, [sample(place) for place in places], rod.length)
     branches = branches_near(samples, rod.length) if wanted is None else [wanted[len(where) : len(where) + 2]]
     for sign, swings in branches:
@@ -2410,7 +2724,9 @@ def rod_of(mark):
     """The equilibrium of an extremum."""
     _, sign, swings, _ = mark.group
     index = 2 * swings - (1 if sign < 0 else 0)
-    return bent_rod(mark.rod, mark.turns, mark.piece, Crossing(mark.place, swings, sign, True), index)
+    rod, piece = mark.rod, mark.piece
+    sample = sample_at(rod.beta, rod.eta, piece, delays(piece), mark.place)
+    return bent_rod(rod, mark.turns, piece, Crossing(sample, swings, sign, True), index)
 
 
 def fold_of(mark):
@@ -2565,7 +2881,7 @@ def root(values_at, bracket):
         record = record_at(place)
         return before.height if record is None else record.height
 
-    record = record_at(zero_between(function, low, high, before.height, after.height))
+    record = record_at(bracketed_root(function, (low, high), (before.height, after.height), 0))
     return record if record is not None and abs(record.height) < mpf("1e-05") else None
 
 
@@ -2662,7 +2978,7 @@ def level_point(at, name, low, high, before, after):
         mark = mark_at(eta)
         return before.slope if mark is None else mark.slope
 
-    return mark_at(zero_between(function, low, high, before.slope, after.slope))
+    return mark_at(bracketed_root(function, (low, high), (before.slope, after.slope), 0))
 
 
 def stationary(at, places, origin, key):
