@@ -14,7 +14,16 @@ from typing import Any
 from mpmath import mp, mpf
 
 from derive.measure.chains import Chain, Guess, Node, Shot
-from derive.measure.reference import DIGITS, FRACTIONS, MOST_ROUNDS, NoEquilibriumError, Reference, Rod, along
+from derive.measure.reference import (
+    DIGITS,
+    FRACTIONS,
+    MOST_ROUNDS,
+    NoEquilibriumError,
+    Reference,
+    Rod,
+    along,
+    couple_of,
+)
 
 GUARD_DIGITS = 10
 FIRST_DIGITS = 24
@@ -140,7 +149,7 @@ def sensitivities(chain: Chain, shot: Shot, fold: Any) -> dict[str, float]:
             return dict.fromkeys((key for key in base if key != "clamp"), float("inf"))
         parts[name] = {key: (there[key] - base[key]) / nudge for key in base}
     units = {"y": 1, "z": 1, "clamp_curvature": -1, "curvature": -1, "energy": -1, "gamma": -2}
-    parts["s"] = along(chain.rod, base)
+    parts["s"] = along(base, chain.rod.length, couple_of(chain.rod))
     parts["length"] = {
         key: 2 * (parts["beta"][key] + parts["eta"][key]) + units.get(key.split("(")[0], 0) * base[key] - own
         for key, own in parts["s"].items()

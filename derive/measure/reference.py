@@ -6,7 +6,7 @@ moves when the inputs do: no solver in double precision can do better than that 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
@@ -146,15 +146,28 @@ def quantities(rod: Rod, path: Path) -> dict[str, Any]:
     return values
 
 
-def along(rod: Rod, values: Mapping[str, Any]) -> dict[str, Any]:
-    """s ∂quantity/∂s of what is asked for at s = fraction·ℓ; 0 of the others. By the equation of equilibrium."""
+def along(values: Mapping[str, Any], length: Any, couple: Callable[[Any], Any]) -> dict[str, Any]:
+    """s ∂quantity/∂s at s = fraction·ℓ of each of the ``values`` that belongs to such a point; 0 of the others.
+
+    length: ℓ. couple: θ″ at an angle, by the equation of equilibrium.
+    """
     parts = dict.fromkeys(values, mpf(0))
     for fraction in FRACTIONS:
-        s, theta = fraction * mpf(rod.length), values[f"theta({fraction}ℓ)"]
-        bend = rod.beta * mp.sin(theta) + mpf(rod.eta) / 2 * mp.sin(2 * (theta - mpf(rod.field_angle)))
-        slopes = {"theta": values[f"curvature({fraction}ℓ)"], "curvature": bend, "y": mp.cos(theta), "z": mp.sin(theta)}
+        s, theta = fraction * mpf(length), values[f"theta({fraction}ℓ)"]
+        slopes = {
+            "theta": values[f"curvature({fraction}ℓ)"],
+            "curvature": couple(theta),
+            "y": mp.cos(theta),
+            "z": mp.sin(theta),
+        }
         parts |= {f"{name}({fraction}ℓ)": s * slope for name, slope in slopes.items()}
     return parts
+
+
+def couple_of(rod: Rod) -> Callable[[Any], Any]:
+    """θ″ of a rod at an angle."""
+    beta, eta, field_angle = mpf(rod.beta), mpf(rod.eta), mpf(rod.field_angle)
+    return lambda theta: beta * mp.sin(theta) + eta / 2 * mp.sin(2 * (theta - field_angle))
 
 
 def sensitivity(rod: Rod, tip: Any, digits: int = 24) -> dict[str, float]:
@@ -167,7 +180,7 @@ def sensitivity(rod: Rod, tip: Any, digits: int = 24) -> dict[str, float]:
     with mp.workdps(working_digits(rod.beta, rod.eta, rod.length, digits)):
         base = walk(rod, tip, digits)
         at = quantities(rod, base)
-        own = along(rod, at)
+        own = along(at, rod.length, couple_of(rod))
         totals = {key: float(abs(part)) for key, part in own.items()}
         for name in ("beta", "eta", "length", "clamp_angle", "field_angle"):
             value = mpf(getattr(rod, name))

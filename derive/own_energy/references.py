@@ -14,7 +14,7 @@ from typing import Any
 
 from mpmath import mp, mpf
 
-from derive.measure.reference import DIGITS, FRACTIONS, MOST_ROUNDS, NoEquilibriumError, Reference, Rod
+from derive.measure.reference import DIGITS, FRACTIONS, MOST_ROUNDS, NoEquilibriumError, Reference, Rod, along
 from derive.measure.taylor import Path, working_digits
 from derive.own_energy.integration import integrate
 from derive.own_energy.law import at_loads, evaluate
@@ -110,8 +110,7 @@ def from_json(rod: OwnRod, data: Mapping[str, Any]) -> Reference:
 def quantities(law: dict[str, Any], rod: OwnRod, path: Path) -> dict[str, Any]:
     """All that a solver is asked for, by name; at interior points measured from the clamp."""
     clamp = path.clamp
-    loads, angle = [mpf(load) for load in rod.loads], mpf(rod.field_angle)
-    density = at_loads(law["density"], loads, mp.cos(angle), mp.sin(angle), mpf)
+    density = at_loads(law["density"], list(map(mpf, rod.loads)), *_axis(rod), mpf)
     values = {
         "tip_angle": path.tip_angle,
         "clamp_curvature": clamp.curvature,
@@ -130,20 +129,32 @@ def quantities(law: dict[str, Any], rod: OwnRod, path: Path) -> dict[str, Any]:
 
 
 def sensitivity(law: dict[str, Any], rod: OwnRod, tip: Any) -> dict[str, float]:
-    """How far the quantities move with the inputs, by differences; the tip moves along so that θ(0) stays."""
+    """How far the quantities move with the inputs, by differences; the tip moves along so that θ(0) stays.
+
+    The arc length of a point is an input by itself, as in ``measure.reference``.
+    """
     share = mpf(10) ** -(CARRIED // 2)
     with mp.workdps(_working(rod, CARRIED)):
         base = _walk(law, rod, tip, CARRIED)
         at = quantities(law, rod, base)
-        totals = dict.fromkeys(at, 0.0)
+        couple = at_loads(law["couple"], list(map(mpf, rod.loads)), *_axis(rod), mpf)
+        own = along(at, rod.length, lambda theta: evaluate(couple, mp.cos(theta), mp.sin(theta)))
+        totals = {name: float(abs(part)) for name, part in own.items()}
         for place in range(len(rod.loads) + 3):
             moved = rod.moved(place, share)
             clamp = integrate(law, moved, tip, CARRIED).clamp
             other = tip - (clamp.theta - base.clamp.theta - moved.clamp_angle + rod.clamp_angle) / clamp.h
             there = quantities(law, moved, _walk(law, moved, other, CARRIED))
             for name in totals:
-                totals[name] += float(abs(there[name] - at[name]) / share)
+                # The points move along with the end, as they are fractions of the length.
+                carried = own[name] if place == len(rod.loads) else 0
+                totals[name] += float(abs((there[name] - at[name]) / share - carried))
     return totals
+
+
+def _axis(rod: OwnRod) -> tuple[Any, Any]:
+    """Cosine and sine of the field angle."""
+    return mp.cos(mpf(rod.field_angle)), mp.sin(mpf(rod.field_angle))
 
 
 def written(rod: OwnRod) -> str:
