@@ -151,11 +151,11 @@ def show_diagram(number: int, one: Diagram) -> None:
     for heading in ("branch", "index", "from", "to", "θ(ℓ) from", "to"):
         table.add_column(heading, justify="right")
     for branch in one.branches:
-        ends = (f"{branch.values[0]:.16g} ({branch.starts})", f"{branch.values[-1]:.16g} ({branch.ends})")
+        ends = (f"{branch.values[0]:.15g} ({branch.starts})", f"{branch.values[-1]:.15g} ({branch.ends})")
         tips = (f"{branch.states[0].tip_angle:.10f}", f"{branch.states[-1].tip_angle:.10f}")
         table.add_row(str(branch.number), str(branch.index), *ends, *tips)
     console.print(table)
     for jump in jumps(one):
         reaches = " or ".join(map(str, jump.reaches)) or "none that is stable"
         ways = f"from branch {jump.leaves} to {reaches}"
-        console.print(f"loading {jump.direction}: {ways} at {letter} = {jump.value:.16g}")
+        console.print(f"loading {jump.direction}: {ways} at {letter} = {jump.value:.15g}")
