@@ -12,7 +12,7 @@ from mpmath import mp, mpf
 from derive.emit.kernels.shapes import phase_before
 from derive.emit.kernels.swing import lengths, phase_at
 from derive.measure.hard import SIZES, ULP, reference
-from derive.measure.reference import Rod, along, quantities, solve, walk
+from derive.measure.reference import Rod, along, couple_of, quantities, solve, walk
 from derive.measure.rods import PAPER
 
 # ℓ√(β + η) = 100: an ulp of the length is some hundred of θ beside the clamp.
@@ -73,7 +73,7 @@ def test_an_arc_length_is_an_input_by_itself() -> None:
     tip = solve(PAPER, 0.8351, furthest=0.5).values["tip_angle"]
     with mp.workdps(40):
         path = quantities(PAPER, walk(PAPER, tip, 30))
-        own = along(PAPER, path)
+        own = along(path, PAPER.length, couple_of(PAPER))
         longer = solve(PAPER, tip).sensitivity
     assert float(own["y(0.5ℓ)"]) == pytest.approx(40 * float(mp.cos(path["theta(0.5ℓ)"])))
     assert float(own["theta(0.25ℓ)"]) == pytest.approx(20 * float(path["curvature(0.25ℓ)"]))

@@ -52,7 +52,7 @@ def test_a_run_that_was_killed_goes_on_and_errors_are_the_same_to_the_digit(tmp_
     assert main([*QUICK, "--only", "T5", "--out", str(other), "--json", str(other / "again.json")]) == 0
     errors = [[(record["key"], record["errors"]) for record in records(place)] for place in (folder, other)]
     assert errors[0] == errors[1]
-    assert len(errors[0]) > 10
+    assert len(errors[0]) >= 7  # with python-flint there are more
     found = json.loads((other / "again.json").read_text(encoding="utf-8"))
     assert found["records"]["tasks"] == records(other)
     assert {"machine", "versions", "commit", "mode", "sources"} == set(found["about"])
