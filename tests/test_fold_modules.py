@@ -261,7 +261,12 @@ MUTANTS = [
         "what vanishes appears",
     ),
     ("folds", "index = 2 * swings - (1", "index = 2 * swings + (1", "an index two too high"),
-    ("folds", "-clamp_angle, reflected(field), -1", "clamp_angle, reflected(field), -1", "a mirror image not mirrored"),
+    (
+        "folds",
+        "-clamp_angle, reflected(field_angle), -1",
+        "clamp_angle, reflected(field_angle), -1",
+        "a mirror image not mirrored",
+    ),
     ("folds", "first * first - soonest)", "4 * first * first)", "the first folds are skipped"),
     ("variations", "d_turn = (loads - motion", "d_turn = (loads + motion", "a sign in the turning pair's derivative"),
     ("extrema", "+ sign * item.arrival\n", "- sign * item.arrival\n", "the other branch"),
