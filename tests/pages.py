@@ -73,7 +73,7 @@ def calls(page: Path) -> list[list[str]]:
     for match in FENCE.finditer(page.read_text(encoding="utf-8")):
         if not match[3]:
             found += re.findall(r"^(?:\.venv/bin/)?derive (.+)$", match[4], re.MULTILINE)
-    return [shlex.split(line) for line in found if "…" not in line]
+    return [shlex.split(line, comments=True) for line in found if "…" not in line]
 
 
 @dataclass

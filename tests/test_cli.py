@@ -223,7 +223,7 @@ def test_a_wrong_kernel_is_refused_and_nothing_is_written(checkout: Path) -> Non
     assert text.count("else swings + 1") == 1
     try:
         kernel.write_text(text.replace("else swings + 1", "else swings"))
-        found = run("emit", cwd=checkout)
+        found = run("emit", "parallel", cwd=checkout)
     finally:
         kernel.write_text(text)
     assert found.returncode == 1

@@ -126,4 +126,6 @@ def test_the_quick_run_holds(tmp_path: Path) -> None:
     kept = records(tmp_path)
     assert len(kept) > 100
     drawn = {path.stem for path in tmp_path.glob("*.png")}
-    assert drawn == {record["problem"] for record in kept if "problem" in record} | {"growth"}
+    maps = {f"atlas-{record['map']}" for record in kept if "map" in record}
+    assert drawn == {record["problem"] for record in kept if "problem" in record} | maps | {"growth"}
+    assert maps
