@@ -21,13 +21,13 @@ from derive import show, stages
 from derive.cache import Cache
 from derive.commands import running, save, write_file
 from derive.diagrams.plotting import library
+from derive.measure.bench import precision, tables
+from derive.measure.bench.families import Plan, Record, parts
+from derive.measure.bench.fronts import front, wins
+from derive.measure.bench.growth import exponents
+from derive.measure.bench.run import Found, run
+from derive.measure.bench.store import Store, StoreError
 from derive.measure.loading import load
-from derive.measure.work import precision, tables
-from derive.measure.work.families import Plan, Record, parts
-from derive.measure.work.fronts import front, wins
-from derive.measure.work.growth import exponents
-from derive.measure.work.run import Found, run
-from derive.measure.work.store import Store, StoreError
 from derive.numbers import MistakeError
 from derive.stages import Task
 

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from verdict_tables import replace
 
-from derive.measure.work.tables import readme_rows
+from derive.measure.bench.tables import readme_rows
 
 README = Path(__file__).resolve().parent.parent / "README.md"
 

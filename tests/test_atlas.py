@@ -17,11 +17,11 @@ from derive.measure.atlas_maps import MAPS, Map, angles, gamma_ends, loads, powe
 from derive.measure.atlas_peers import PEERS
 from derive.measure.atlas_points import OURS, Record, evenly, formula_of, measure_point, peer
 from derive.measure.atlas_stiff import bvp, shooting
+from derive.measure.bench import atlas
+from derive.measure.bench.families import Plan
 from derive.measure.reference import Rod, solve
 from derive.measure.rods import PAPER
 from derive.measure.taylor import integrate
-from derive.measure.work import atlas
-from derive.measure.work.families import Plan
 from generated import oblique_numpy, parallel_numpy
 
 # Of the promised bound; more than 1 is known and reported, a wrong formula is far beyond this.

@@ -17,15 +17,15 @@ from hypothesis import strategies as st
 from mpmath import mp, mpf
 
 from derive.cache import Cache
+from derive.measure.bench import fronts, growth, judged, known, precision, tables, timing
+from derive.measure.bench.cells import OURS, PEER, Cell, Method, Problem, measure
+from derive.measure.bench.families import FAMILIES, Plan, families, parts
+from derive.measure.bench.methods import methods
+from derive.measure.bench.methods.outside import Outside
+from derive.measure.bench.methods.rod_solver import RodSolver, Solved, all_found
+from derive.measure.bench.tasks import TASKS, module_of
 from derive.measure.reference import Rod
 from derive.measure.rods import PAPER
-from derive.measure.work import fronts, growth, judged, known, precision, tables, timing
-from derive.measure.work.cells import OURS, PEER, Cell, Method, Problem, measure
-from derive.measure.work.families import FAMILIES, Plan, families, parts
-from derive.measure.work.methods import methods
-from derive.measure.work.methods.outside import Outside
-from derive.measure.work.methods.rod_solver import RodSolver, Solved, all_found
-from derive.measure.work.tasks import TASKS, module_of
 
 ROOT = Path(__file__).resolve().parent.parent
 GUIDE = (ROOT / "docs" / "measure.md").read_text(encoding="utf-8")
@@ -219,7 +219,7 @@ def test_a_package_that_runs_apart() -> None:
 
 
 def test_what_is_missing_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("derive.measure.work.cells.find_spec", lambda name: None)
+    monkeypatch.setattr("derive.measure.bench.cells.find_spec", lambda name: None)
     lines = precision.left_out()
     assert any("scipy cannot be imported: solve_bvp, shooting" in line for line in lines)
     plan = Plan(Cache(), quick=True, only=("T6",))

@@ -11,15 +11,15 @@ from typing import Any
 import pytest
 
 from derive.cli import main
-from derive.measure.work import methods, precision
-from derive.measure.work.store import FILE
+from derive.measure.bench import methods, precision
+from derive.measure.bench.store import FILE
 from generated import parallel_numpy
 
 QUICK = ("measure", "--quick")
 KILLED = """
 import os, signal
 from derive.cli import main
-from derive.measure.work.store import Store
+from derive.measure.bench.store import Store
 
 put = Store.put
 

@@ -12,13 +12,13 @@ from mpmath import mp
 
 from derive.cache import Cache
 from derive.emit.kernels import formulas, swing
+from derive.measure.bench import stability
+from derive.measure.bench.families import Plan
 from derive.measure.reference import Rod
 from derive.measure.stability import main, record_of, table, worst_input
 from derive.measure.stability_formulas import compiled, examine, examined, known_formulas, operations
 from derive.measure.stability_rods import Genes, drawn, heard_on, listening
 from derive.measure.stability_search import Boxes, over_arguments
-from derive.measure.work import stability
-from derive.measure.work.families import Plan
 
 ROD = Rod(0.5, 0.8, 5.0, 2.0, 0.3)
 

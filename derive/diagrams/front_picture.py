@@ -6,9 +6,9 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from derive.diagrams.plotting import COLOURS, figure, saved, settings
-from derive.measure.work.cells import ARTICLE, OURS
-from derive.measure.work.families import Record
-from derive.measure.work.fronts import comparable, front, point
+from derive.measure.bench.cells import ARTICLE, OURS
+from derive.measure.bench.families import Record
+from derive.measure.bench.fronts import comparable, front, point
 
 LEAST, MOST = 1e-36, 1.0  # errors beyond are in the tables: twins go on to hundreds of digits
 LEAST_SPANS = {"x": 10.0, "y": 1e4}  # of times and errors: what differs by less is noise, or the last rounding

@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 from derive.diagrams.plotting import COLOURS, figure, saved, settings
-from derive.measure.work.families import Record
-from derive.measure.work.growth import exponents
+from derive.measure.bench.families import Record
+from derive.measure.bench.growth import exponents
 
 MARKS = "osD^vP"
 
