@@ -12,7 +12,7 @@ from derive.theory import equilibrium, plane, quartic, weierstrass
 from derive.theory.chain import derive_all
 from derive.theory.claims import Notebook
 
-SAMPLE = 16  # claims
+SAMPLE = 40  # claims
 EACH = 3  # mutants of each of them
 
 

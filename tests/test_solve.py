@@ -201,7 +201,7 @@ def test_no_setting_is_missed(vary: str) -> None:
     cuts = []
     if vary == "eta":
         cuts = [fold.eta for fold in all_folds(base["beta"], 80.0, base["clamp_angle"], 0.3, low, high)]
-    samples = [[one.y for one in solve(value)] for value in np.linspace(low, high, 41)]
+    samples = [[one.y for one in solve(value)] for value in np.linspace(low, high, 101)]
     for goal in (-43.21, 5.37):
         found = reaching(solve, "y", goal, low, high, cuts)
         assert all(abs(hit.equilibrium.y - goal) < 1e-8 for hit in found.hits)

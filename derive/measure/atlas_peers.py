@@ -48,7 +48,7 @@ def scipy_there() -> None:
     """ImportError in one line if SciPy is not installed."""
     try:
         import scipy.optimize
-        import scipy.special  # noqa: F401
+        import scipy.special  # noqa: F401 - asked for only whether it is there
     except ImportError as error:
         raise ImportError("the atlas's peers need SciPy: pip install 'magnetic-rods[bench]'") from error
 

@@ -86,7 +86,7 @@ def shooting(rod: Rod, _: Any) -> Mapping[str, float]:
         def arrives(x: float, v: Any) -> float:
             return float(abs(v[0]) - abs(rod.clamp_angle))
 
-        arrives.terminal = stops is None  # type: ignore[attr-defined]
+        arrives.terminal = stops is None  # type: ignore[attr-defined]  # how solve_ivp is told to stop
         tip = exp(logarithm)
         small = SHOT_TOLERANCE * np.array([tip, tip * rate, 1e-2, 1e-2])
         options = {"rtol": SHOT_TOLERANCE, "atol": small, "jac": jacobian, "events": arrives}

@@ -62,7 +62,7 @@ def with_position(rod: Rod, found: object) -> Solved:
     """y and z at the nodes by quadrature, between them by splines."""
     from scipy.interpolate import CubicHermiteSpline
 
-    nodes, solution = found.x, found.sol  # type: ignore[attr-defined]
+    nodes, solution = found.x, found.sol  # type: ignore[attr-defined]  # a Bunch of SciPy
     width = np.diff(nodes)
     inner = nodes[:-1, None] + width[:, None] * (GAUSS[0] + 1) / 2
     theta = solution(inner.ravel())[0].reshape(inner.shape)
