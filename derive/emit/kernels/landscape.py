@@ -63,8 +63,8 @@ def oblique_landscape(beta, eta, field_angle):
 
 def has_second_pair(beta, eta, field_angle):
     """Whether the field is strong enough for a second hill and well."""
-    # Of a couple c at the cusp the ridge is as high as c to the power 3/2: below this it is lost in rounding.
-    return ridge_couple(beta, eta, field_angle, astroid_cusp(field_angle)) > epsilon() ** 0.7 * (beta + eta)
+    lean = pick(field_angle > pi / 4, -less_quarters(field_angle, 1), field_angle)
+    return cusp_couple(beta, eta, lean, astroid_cusp(lean)) > 4 * epsilon() * (beta + eta)
 
 
 def mirror_landscape(scene):
@@ -140,24 +140,101 @@ def oblique_alone(eta, field_angle):
 
 def oblique_single(beta, eta, field_angle):
     """A field angle in (0, π/2): a hill between force and field, a well a quarter turn on."""
-    back = rising_root(lambda y: twist(eta, y) - beta * sin(field_angle - y), 0 * field_angle, field_angle)
-    on = rising_root(lambda w: twist(eta, w) - beta * cos(field_angle + w), 0 * field_angle, pi / 2 - field_angle)
-    hill = rest_at(beta, eta, field_angle, 0, field_angle - back)
-    well = rest_at(beta, eta, field_angle, 1, field_angle + on)
-    return Landscape((hill, well, hill._replace(quarters=4, angle=hill.angle + 2 * pi)), False, False)
+    # Both lie as the well and the hill do with the field as far from the normal of the force as it is here from it.
+    steep = field_angle > pi / 4
+    lean = pick(steep, -less_quarters(field_angle, 1), field_angle)
+    hill, well = beside_field(beta, eta, lean), beside_force(beta, eta, lean)
+    hill, well = pick_rest(steep, turned_back(well), hill), pick_rest(steep, turned_back(hill), well)
+    low = rest_of(0, hill)
+    return Landscape((low, rest_of(2, well), low._replace(quarters=4, angle=low.angle + 2 * pi)), False, False)
+
+
+def turned_back(rest):
+    """What is a hill beside 0 with one field is a well beside π with the other, and the reverse."""
+    return rest._replace(
+        extra=-rest.extra, stiffness=-rest.stiffness, double_cosine=-rest.double_cosine, double_sine=rest.double_sine
+    )
+
+
+def rest_of(quarters, rest):
+    """The direction with its angle, from a number of quarter turns on."""
+    return rest._replace(quarters=quarters, angle=quarters * (pi / 2) + rest.extra)
+
+
+def beside_field(beta, eta, lean):
+    """The hill between force and field, for a field at ``lean`` in (0, π/4]."""
+    back = rising_root(lambda y: twist(eta, y) - beta * sin(lean - y), 0 * lean, lean)
+    return Rest(0, lean - back, 0, beta * cos(lean - back) + eta * cos(2 * back), cos(2 * back), -sin(2 * back))
+
+
+def beside_force(beta, eta, lean):
+    """The well between the normal of the field and the opposite of the force, for the same: by what it is from the
+    nearer one of these."""
+    most = pi / 2 - lean
+    on = lean_balance(beta, eta, lean, most / 2) < 0  # whether it is nearer to the normal
+    part = rising_root(
+        lambda x: pick(on, twist(eta, x) - beta * cos(lean + x), lean_balance(beta, eta, lean, x)), 0 * lean, most
+    )
+    gap, double = pick(on, most - part, part), 2 * pick(on, part, lean + part)
+    along, across = pick(on, sin(part), cos(lean + part)), pick(on, cos(part), sin(lean + part))
+    stiffness = eta * (sin(lean) * along * along * along + cos(lean) * across * across * across) / sin(gap)
+    return Rest(2, -gap, 0, -stiffness, cos(double) * pick(on, -1, 1), -sin(double))
+
+
+def lean_balance(beta, eta, lean, gap):
+    """θ″ at π − gap: the couple of the force, η like β, less what the field's is not like that."""
+    turn = lean + gap
+    apart, bent = sin(lean / 2), sin(turn / 2)
+    return (beta - eta) * sin(gap) - 2 * eta * (apart * cos(gap + lean / 2) - sin(turn) * bent * bent)
 
 
 def oblique_double(beta, eta, field_angle):
     """A field angle in (0, π/2), and a second pair: a ridge and a well."""
     hill, well, again = oblique_single(beta, eta, field_angle).rests
-    cusp = astroid_cusp(field_angle)
+    steep = field_angle > pi / 4
+    lean = pick(steep, -less_quarters(field_angle, 1), field_angle)
+    cusp = astroid_cusp(lean)
+    couple = cusp_couple(beta, eta, lean, cusp)
 
-    def couple(x):
-        return ridge_couple(beta, eta, field_angle, x)
+    def beside(u):
+        return pair_balance(beta, eta, lean, cusp, couple, u)
 
-    ridge = rest_at(beta, eta, field_angle, 2, field_angle + rising_root(couple, 0 * field_angle, cusp))
-    second = rest_at(beta, eta, field_angle, 2, field_angle + rising_root(couple, pi / 2 + 0 * field_angle, cusp))
-    return Landscape((hill, well, ridge, second, again), False, False)
+    low, high = (pair_rest(eta, lean, cusp, rising_root(beside, end, 0 * lean)) for end in (-cusp, pi / 2 - cusp))
+    if any_of(steep):
+        # The same pair, seen from the force's direction a turn on.
+        back = [turned_back(rest) for rest in (high, low)]
+        back = [rest._replace(extra=rest.extra + pi) for rest in back]
+        low, high = (pick_rest(steep, *pair) for pair in zip(back, (low, high), strict=True))
+    return Landscape((hill, well, rest_of(2, low), rest_of(2, high), again), False, False)
+
+
+def pair_rest(eta, lean, cusp, beside):
+    """The direction of the pair at π + lean + x, x = cusp + beside. dθ″/dθ is there as tan³cusp − tan³x."""
+    turn = cusp + beside
+    at_cusp, across = cos(cusp) * sin(turn), sin(cusp) * cos(turn)
+    share = cos(lean) / (cos(cusp) * cos(cusp) * cos(cusp) * sin(lean + turn))
+    stiffness = -eta * share * sin(beside) * (at_cusp * at_cusp + at_cusp * across + across * across)
+    return Rest(2, lean + turn, 0, stiffness, cos(2 * turn), sin(2 * turn))
+
+
+def cusp_couple(beta, eta, lean, cusp):
+    """The couple on a rod at the cusp, where it is greatest: η like β, less what the field's is not like that."""
+    bent = sin(cusp / 2)
+    unlike = sin(lean / 2) * cos(cusp + lean / 2) + sin(cusp) * bent * bent
+    return (eta - beta) * sin(lean + cusp) - 2 * eta * unlike
+
+
+def pair_balance(beta, eta, lean, cusp, couple, beside):
+    """The couple beside the cusp: of the couple there, what the turn from there takes."""
+    place, quarter = lean + cusp, sin(beside / 4)
+    field = sin(3 * beside / 4) * sin(2 * cusp + 3 * beside / 4) + quarter * sin(2 * cusp + beside / 4)
+    bend = couple * cos(place) / sin(place) - eta * field + 2 * beta * quarter * sin(place + beside / 4)
+    return couple + 2 * sin(beside / 2) * bend
+
+
+def pick_rest(condition, yes, no):
+    """One or the other direction, number by number."""
+    return Rest(*(pick(condition, *pair) for pair in zip(yes, no, strict=True)))
 
 
 def astroid_cusp(field_angle):

@@ -70,7 +70,7 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     elif any_of(field_angle == 0) and not basin.passes:
         half_width, left, far_moment, far_distance = parallel_side(beta, eta, piece, rise, drop, from_hill, depth)
     else:
-        half_width, left, far_moment, far_distance = far_side(eta, piece, rise, drop, depth, done)
+        half_width, left, far_moment, far_distance = far_side(eta, piece, rise, drop, depth, done, height)
         # Where a hill and a well nearly meet, rounding leaves nothing, or less, of a moment.
         near_moment = larger(near_moment, 4 * epsilon() * abs(offset))
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
@@ -137,7 +137,7 @@ def within(sine):
     return pick(sine < 1, sine, 1)
 
 
-def far_side(eta, piece, rise, drop, depth, done):
+def far_side(eta, piece, rise, drop, depth, done, height):
     """Half the width of the motion, how far it goes on beyond the clamp, and the moment where it turns."""
     basin = piece.basin
     hill, well, far, far_well = basin.hill, basin.well, basin.far, basin.far_well
@@ -147,9 +147,8 @@ def far_side(eta, piece, rise, drop, depth, done):
     else:
         below = basin.far_rise + fall(eta, hill, 0, rise)
     if basin.passes:
-        # Not below the ridge, however near it is to the well behind it.
-        ridge = fall(eta, basin.axis, 0, far_well.angle - basin.axis.angle)
-        above = larger(-fall(eta, far_well, 0, down) - below, ridge)
+        # Above the ridge by its height, and the ridge above the well behind it.
+        above = height + fall(eta, basin.axis, 0, far_well.angle - basin.axis.angle)
     else:
         above = -fall(eta, well, 0, -depth)
     by_hill = below < above

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import any_of, asin, cos, epsilon, floor, larger, pi, pick, sin, spacing, sqrt
 from derive.emit.kernels.formulas import rest_fall, rest_moment
-from derive.emit.kernels.landscape import Landscape, Rest, offset_from
+from derive.emit.kernels.landscape import Landscape, Rest, offset_from, pick_rest
 from derive.emit.kernels.potential import fall_from_rest, moment_from_rest
 
 
@@ -330,8 +330,3 @@ def piece_of(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_ga
             rest, offset = pick_rest(closer, other, rest), pick(closer, distance, offset)
     last = at[len(rests) - 1]
     return Piece(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last)
-
-
-def pick_rest(condition, yes, no):
-    """One or the other direction, number by number."""
-    return Rest(*(pick(condition, *pair) for pair in zip(yes, no, strict=True)))
