@@ -64,7 +64,7 @@ def oblique_landscape(beta, eta, field_angle):
 def has_second_pair(beta, eta, field_angle):
     """Whether the field is strong enough for a second hill and well."""
     lean = pick(field_angle > pi / 4, -less_quarters(field_angle, 1), field_angle)
-    return cusp_couple(beta, eta, lean, astroid_cusp(lean)) > 4 * epsilon() * (beta + eta)
+    return pair_couple(beta, eta, lean, astroid_cusp(lean)) > 4 * epsilon() * (beta + eta)
 
 
 def mirror_landscape(scene):
@@ -193,13 +193,7 @@ def oblique_double(beta, eta, field_angle):
     hill, well, again = oblique_single(beta, eta, field_angle).rests
     steep = field_angle > pi / 4
     lean = pick(steep, -less_quarters(field_angle, 1), field_angle)
-    cusp = astroid_cusp(lean)
-    couple = cusp_couple(beta, eta, lean, cusp)
-
-    def beside(u):
-        return pair_balance(beta, eta, lean, cusp, couple, u)
-
-    low, high = (pair_rest(eta, lean, cusp, rising_root(beside, end, 0 * lean)) for end in (-cusp, pi / 2 - cusp))
+    low, high = pair_rests(beta, eta, lean)
     if any_of(steep):
         # The same pair, seen from the force's direction a turn on.
         back = [turned_back(rest) for rest in (high, low)]
@@ -208,20 +202,38 @@ def oblique_double(beta, eta, field_angle):
     return Landscape((hill, well, rest_of(2, low), rest_of(2, high), again), False, False)
 
 
-def pair_rest(eta, lean, cusp, beside):
-    """The direction of the pair at π + lean + x, x = cusp + beside. dθ″/dθ is there as tan³cusp − tan³x."""
-    turn = cusp + beside
+def pair_rests(beta, eta, lean):
+    """The pair at π + lean + x, x to either side of the cusp: by what x is from there, or from zero if that is less."""
+    cusp = astroid_cusp(lean)
+    couple = pair_couple(beta, eta, lean, cusp)
+
+    def beside(u):
+        return pair_balance(beta, eta, lean, cusp, couple, u)
+
+    near = pair_couple(beta, eta, lean, cusp / 2) > 0
+    first = rising_root(
+        lambda x: pick(near, pair_couple(beta, eta, lean, x), beside(-x)), pick(near, 0, cusp), pick(near, cusp, 0)
+    )
+    low = pair_rest(eta, lean, cusp, pick(near, first, cusp - first), pick(near, first - cusp, -first))
+    last = rising_root(beside, pi / 2 - cusp, 0 * lean)
+    return low, pair_rest(eta, lean, cusp, cusp + last, last)
+
+
+def pair_rest(eta, lean, cusp, turn, beside):
+    """The direction at π + lean + turn, turn = cusp + beside. dθ″/dθ is there as tan³cusp − tan³turn."""
     at_cusp, across = cos(cusp) * sin(turn), sin(cusp) * cos(turn)
     share = cos(lean) / (cos(cusp) * cos(cusp) * cos(cusp) * sin(lean + turn))
     stiffness = -eta * share * sin(beside) * (at_cusp * at_cusp + at_cusp * across + across * across)
     return Rest(2, lean + turn, 0, stiffness, cos(2 * turn), sin(2 * turn))
 
 
-def cusp_couple(beta, eta, lean, cusp):
-    """The couple on a rod at the cusp, where it is greatest: η like β, less what the field's is not like that."""
-    bent = sin(cusp / 2)
-    unlike = sin(lean / 2) * cos(cusp + lean / 2) + sin(cusp) * bent * bent
-    return (eta - beta) * sin(lean + cusp) - 2 * eta * unlike
+def pair_couple(beta, eta, lean, turn):
+    """The couple on a rod at π + lean + turn, greatest at the cusp: as it stands for a weak force, else η like β, less
+    what the field's is not like that."""
+    bent = sin(turn / 2)
+    unlike = sin(lean / 2) * cos(turn + lean / 2) + sin(turn) * bent * bent
+    force = sin(lean + turn)
+    return pick(2 * beta < eta, twist(eta, turn) - beta * force, (eta - beta) * force - 2 * eta * unlike)
 
 
 def pair_balance(beta, eta, lean, cusp, couple, beside):
