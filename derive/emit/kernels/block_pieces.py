@@ -33,6 +33,7 @@ from derive.emit.kernels.pieces_each import (
     reach_each,
     ridge_fall_each,
     ridge_ground_each,
+    turn_to_each,
 )
 
 NEARLY = 0.3  # how far η may be below the value at which a ridge appears, and still slow motions down, over β + η
@@ -109,13 +110,13 @@ def nearly_ridge(rods, piece):
     """How far η is below the value at which a ridge would appear, and the place at which the motion would meet it:
     see ``search.places``. No number where that is not on the range."""
     basin = piece.basin
-    if basin.even or basin.passes or piece.low_kind == "level" or basin.far.quarters - basin.hill.quarters != 4:
+    if basin.even or basin.passes or piece.low_kind == "level" or not basin.whole:
         return full(rods.case.shape, inf), rods.slow
     beta, eta, angle = rods.beta, rods.eta, abs(rods.field_angle)
     side = astroid_cusp_each(angle)
     missing = -ridge_couple_each(beta, eta, angle, side) / (beta + eta)
     cusp = where(rods.field_angle > 0, angle + pi + side, pi - angle - side)
-    down = basin.well.angle - basin.hill.angle
+    down = turn_to_each(basin.hill, basin.well)
     rise = reach_each(eta, basin.hill, fall_each(eta, basin.hill, 0, cusp - basin.hill.angle), down, 1)
     inside = (rise > 0) & (rise < piece.width)
     return where(inside, missing, inf), log(rise / (piece.width - rise))
@@ -188,15 +189,8 @@ def chosen(rods, mask):
 def ground_of_kind(rods, scene, clamp):
     """The ground of rods with one kind of landscape, and where a ridge is too near the hill's level to be told."""
     rests = scene.rests
-    level = scene._replace(rests=numbered(rests))
     if len(rests) == 3 or scene.level:
-        return level_ground_each(rods.eta, level, clamp.offsets), zeros(rods.case.shape, dtype=bool)
+        return level_ground_each(rods.eta, scene, clamp.offsets), zeros(rods.case.shape, dtype=bool)
     drop = ridge_fall_each(rods.beta, rods.eta, rods.field_angle, rests[0], rests[2])
     low = drop <= epsilon() ** 17 * (rods.beta + rods.eta)
-    return ridge_ground_each(rods.eta, level, clamp.offsets, drop), low
-
-
-def numbered(rests):
-    """The directions with a number for the rest of their angle: only whether two are alike is asked from here on."""
-    last = len(rests) - 1
-    return tuple(rest._replace(extra=k % last) for k, rest in enumerate(rests))
+    return ridge_ground_each(rods.eta, scene, clamp.offsets, drop), low

@@ -10,6 +10,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import any_of, atan, atan2, cos, epsilon, larger, less_quarters, pi, pick, sin, sqrt
+from derive.emit.kernels.formulas import cusp_couple, force_balance, force_stiffness, pair_couple, pair_stiffness
 
 
 class Rest(NamedTuple):
@@ -64,7 +65,7 @@ def oblique_landscape(beta, eta, field_angle):
 def has_second_pair(beta, eta, field_angle):
     """Whether the field is strong enough for a second hill and well."""
     lean = pick(field_angle > pi / 4, -less_quarters(field_angle, 1), field_angle)
-    return pair_couple(beta, eta, lean, astroid_cusp(lean)) > 4 * epsilon() * (beta + eta)
+    return couple_beyond(beta, eta, lean, astroid_cusp(lean)) > 4 * epsilon() * (beta + eta)
 
 
 def mirror_landscape(scene):
@@ -171,21 +172,20 @@ def beside_force(beta, eta, lean):
     """The well between the normal of the field and the opposite of the force, for the same: by what it is from the
     nearer one of these."""
     most = pi / 2 - lean
-    on = lean_balance(beta, eta, lean, most / 2) < 0  # whether it is nearer to the normal
+    on = side_couple(beta, eta, lean, most / 2) < 0  # whether it is nearer to the normal
     part = rising_root(
-        lambda x: pick(on, twist(eta, x) - beta * cos(lean + x), lean_balance(beta, eta, lean, x)), 0 * lean, most
+        lambda x: pick(on, twist(eta, x) - beta * cos(lean + x), side_couple(beta, eta, lean, x)), 0 * lean, most
     )
     gap, double = pick(on, most - part, part), 2 * pick(on, part, lean + part)
     along, across = pick(on, sin(part), cos(lean + part)), pick(on, cos(part), sin(lean + part))
-    stiffness = eta * (sin(lean) * along * along * along + cos(lean) * across * across * across) / sin(gap)
+    stiffness = force_stiffness(eta, lean, along, across, sin(gap))
     return Rest(2, -gap, 0, -stiffness, cos(double) * pick(on, -1, 1), -sin(double))
 
 
-def lean_balance(beta, eta, lean, gap):
-    """θ″ at π − gap: the couple of the force, η like β, less what the field's is not like that."""
+def side_couple(beta, eta, lean, gap):
+    """The couple on a rod at π − gap."""
     turn = lean + gap
-    apart, bent = sin(lean / 2), sin(turn / 2)
-    return (beta - eta) * sin(gap) - 2 * eta * (apart * cos(gap + lean / 2) - sin(turn) * bent * bent)
+    return force_balance(beta, eta, sin(gap), sin(lean / 2), cos(gap + lean / 2), sin(turn), sin(turn / 2))
 
 
 def oblique_double(beta, eta, field_angle):
@@ -205,14 +205,16 @@ def oblique_double(beta, eta, field_angle):
 def pair_rests(beta, eta, lean):
     """The pair at π + lean + x, x to either side of the cusp: by what x is from there, or from zero if that is less."""
     cusp = astroid_cusp(lean)
-    couple = pair_couple(beta, eta, lean, cusp)
+    place, couple = lean + cusp, couple_beyond(beta, eta, lean, cusp)
+    stiffness = couple * cos(place) / sin(place)
 
     def beside(u):
-        return pair_balance(beta, eta, lean, cusp, couple, u)
+        sines = sin(u / 2), sin(u / 4), sin(3 * u / 4), sin(2 * cusp + u / 4), sin(2 * cusp + 3 * u / 4)
+        return cusp_couple(beta, eta, couple, stiffness, *sines, sin(place + u / 4))
 
-    near = pair_couple(beta, eta, lean, cusp / 2) > 0
+    near = couple_beyond(beta, eta, lean, cusp / 2) > 0
     first = rising_root(
-        lambda x: pick(near, pair_couple(beta, eta, lean, x), beside(-x)), pick(near, 0, cusp), pick(near, cusp, 0)
+        lambda x: pick(near, couple_beyond(beta, eta, lean, x), beside(-x)), pick(near, 0, cusp), pick(near, cusp, 0)
     )
     low = pair_rest(eta, lean, cusp, pick(near, first, cusp - first), pick(near, first - cusp, -first))
     last = rising_root(beside, pi / 2 - cusp, 0 * lean)
@@ -220,28 +222,16 @@ def pair_rests(beta, eta, lean):
 
 
 def pair_rest(eta, lean, cusp, turn, beside):
-    """The direction at π + lean + turn, turn = cusp + beside. dθ″/dθ is there as tan³cusp − tan³turn."""
-    at_cusp, across = cos(cusp) * sin(turn), sin(cusp) * cos(turn)
-    share = cos(lean) / (cos(cusp) * cos(cusp) * cos(cusp) * sin(lean + turn))
-    stiffness = -eta * share * sin(beside) * (at_cusp * at_cusp + at_cusp * across + across * across)
+    """The direction at π + lean + turn, turn = cusp + beside."""
+    along, across = cos(cusp) * sin(turn), sin(cusp) * cos(turn)
+    stiffness = pair_stiffness(eta, cos(lean), cos(cusp), sin(beside), along, across, sin(lean + turn))
     return Rest(2, lean + turn, 0, stiffness, cos(2 * turn), sin(2 * turn))
 
 
-def pair_couple(beta, eta, lean, turn):
-    """The couple on a rod at π + lean + turn, greatest at the cusp: as it stands for a weak force, else η like β, less
-    what the field's is not like that."""
-    bent = sin(turn / 2)
-    unlike = sin(lean / 2) * cos(turn + lean / 2) + sin(turn) * bent * bent
-    force = sin(lean + turn)
-    return pick(2 * beta < eta, twist(eta, turn) - beta * force, (eta - beta) * force - 2 * eta * unlike)
-
-
-def pair_balance(beta, eta, lean, cusp, couple, beside):
-    """The couple beside the cusp: of the couple there, what the turn from there takes."""
-    place, quarter = lean + cusp, sin(beside / 4)
-    field = sin(3 * beside / 4) * sin(2 * cusp + 3 * beside / 4) + quarter * sin(2 * cusp + beside / 4)
-    bend = couple * cos(place) / sin(place) - eta * field + 2 * beta * quarter * sin(place + beside / 4)
-    return couple + 2 * sin(beside / 2) * bend
+def couple_beyond(beta, eta, lean, turn):
+    """The couple on a rod at π + lean + turn, greatest at the cusp; of a weak force as it stands."""
+    known = sin(lean + turn), sin(lean / 2), cos(turn + lean / 2), sin(turn), sin(turn / 2)
+    return pick(2 * beta < eta, twist(eta, turn) - beta * known[0], pair_couple(beta, eta, *known))
 
 
 def pick_rest(condition, yes, no):

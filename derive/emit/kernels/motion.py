@@ -233,8 +233,10 @@ def mean_less_field(eta, basin, centre, half_width, near, far, height, mean):
 
 def above_field(eta, basin, offset, turn, height):
     """``mean`` less η where they are near each other: 2(V(tip) − V)/(cos(θ − middle) − cos(half_width)) at the θ at
-    which it is least, which lies then near the ridge or the well, at an offset from it. turn: half of what it is divided
-    by. height: from there to the tip."""
+    which it is least, which lies then near the ridge or the well, at an offset from it.
+
+    turn: half of what it is divided by. height: V(tip) less that of the ridge or the well.
+    """
     # As near the ridge as rounding it is nearer still: it is there to the second order in the height.
     offset = pick(abs(offset) < 32 * spacing(offset), 0, offset)
     return (height + fall(eta, basin.axis, 0, offset)) / pick(turn == 0, 1, turn)
