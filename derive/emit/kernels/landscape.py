@@ -173,12 +173,18 @@ def beside_force(beta, eta, lean):
     nearer one of these."""
     most = pi / 2 - lean
     on = side_couple(beta, eta, lean, most / 2) < 0  # whether it is nearer to the normal
+    # Under a force no weaker than the field it is no further from its opposite than where both would be level.
+    level = pick(on | (beta < eta), most, 2 * lean ** (1 / 3))
     part = rising_root(
-        lambda x: pick(on, twist(eta, x) - beta * cos(lean + x), side_couple(beta, eta, lean, x)), 0 * lean, most
+        lambda x: pick(on, twist(eta, x) - beta * cos(lean + x), side_couple(beta, eta, lean, x)),
+        0 * lean,
+        pick(level < most, level, most),
     )
     gap, double = pick(on, most - part, part), 2 * pick(on, part, lean + part)
     along, across = pick(on, sin(part), cos(lean + part)), pick(on, cos(part), sin(lean + part))
-    stiffness = force_stiffness(eta, lean, along, across, sin(gap))
+    weak = 2 * eta < beta  # then it is next to the force, and nothing cancels
+    stiffness = force_stiffness(eta, lean, along, across, pick(weak, 1, larger(sin(gap), epsilon() ** 19)))
+    stiffness = pick(weak, beta * cos(gap) - eta * cos(double), stiffness)
     return Rest(2, -gap, 0, -stiffness, cos(double) * pick(on, -1, 1), -sin(double))
 
 
@@ -274,7 +280,10 @@ def rising_root(function, low, high):
         value = function(middle)
         size = sqrt(larger(value * value - value_low * value_high, 0))
         exact = (value == 0) | (size == 0)
-        trial = pick(exact, middle, middle + (middle - low) * (-value / pick(exact, 1, size)))
+        size = pick(exact, 1, size)
+        # By the distance from the low end, which may be far less than the interval.
+        share = pick(value > 0, -value_low * value_high / (size * (size + larger(value, 0))), 1 - value / size)
+        trial = pick(exact, middle, low + (middle - low) * share)
         value_trial = function(trial)
         settled, last = abs(trial - last) <= 4 * epsilon() * abs(trial), pick(moving, trial, last)
         low, high, value_low, value_high = narrowed(low, high, value_low, value_high, middle, value)

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/landscape.py: do not edit, change that file.
 
-Digest of the inputs: sha256 dad11f90ef6b4635fcc106a93ca0bdce09664127ed6e9265343a95a727a40d88
+Digest of the inputs: sha256 2f65587718bd30ebaee73cdb5201be7b0e19ebc71178b039cf8c6b4f66c9b472
 """
 
 from __future__ import annotations
@@ -175,17 +175,23 @@ def beside_force_each(beta, eta, lean):
     nearer one of these."""
     most = pi / 2 - lean
     on = side_couple_each(beta, eta, lean, most / 2) < 0  # whether it is nearer to the normal
+    # Under a force no weaker than the field it is no further from its opposite than where both would be level.
+    level = each_pick(on | (beta < eta), most, 2 * lean ** (1 / 3))
     part = rising_root_each(
         lambda x: each_pick(on, twist_each(eta, x) - beta * each_cos(lean + x), side_couple_each(beta, eta, lean, x)),
         0 * lean,
-        most,
+        each_pick(level < most, level, most),
     )
     gap, double = each_pick(on, most - part, part), 2 * each_pick(on, part, lean + part)
     along, across = (
         each_pick(on, each_sin(part), each_cos(lean + part)),
         each_pick(on, each_cos(part), each_sin(lean + part)),
     )
-    stiffness = force_stiffness_each(eta, lean, along, across, each_sin(gap))
+    weak = 2 * eta < beta  # then it is next to the force, and nothing cancels
+    stiffness = force_stiffness_each(
+        eta, lean, along, across, each_pick(weak, 1, larger(each_sin(gap), epsilon() ** 19))
+    )
+    stiffness = each_pick(weak, beta * each_cos(gap) - eta * each_cos(double), stiffness)
     return Rest(2, -gap, 0, -stiffness, each_cos(double) * each_pick(on, -1, 1), -each_sin(double))
 
 
@@ -295,7 +301,10 @@ def rising_root_each(function, low, high):
         value = function(middle)
         size = each_sqrt(larger(value * value - value_low * value_high, 0))
         exact = (value == 0) | (size == 0)
-        trial = each_pick(exact, middle, middle + (middle - low) * (-value / each_pick(exact, 1, size)))
+        size = each_pick(exact, 1, size)
+        # By the distance from the low end, which may be far less than the interval.
+        share = each_pick(value > 0, -value_low * value_high / (size * (size + larger(value, 0))), 1 - value / size)
+        trial = each_pick(exact, middle, low + (middle - low) * share)
         value_trial = function(trial)
         settled, last = each_abs(trial - last) <= 4 * epsilon() * each_abs(trial), each_pick(moving, trial, last)
         low, high, value_low, value_high = narrowed_each(low, high, value_low, value_high, middle, value)
