@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 a7639610fb67330e579a3bdd4f1f6d733647892ebb987bda8da05a90133e1d65
+Digest of the inputs: sha256 352f2a84dfde82b2dacdd82df1776f542e5f02f51b1f9189585e3793c9c5c653
 """
 
 from __future__ import annotations
@@ -142,7 +142,7 @@ def far_side_each(eta, piece, rise, drop, depth, done, height):
     turn = each_pick(by_hill, down - distance, distance)  # far turning point − far_well
     left = each_pick(by_hill, piece.far_gap - distance, distance - piece.beyond_well)
     if piece.high_kind == "turn":
-        left = larger(beyond_clamp_each(eta, piece, drop, left), 0)
+        left = larger(beyond_clamp_each(eta, piece, rise, drop, left), 0)
     if basin.shoulder is not None:
         # V may be so nearly level there that only from the clamp is it told where the motion turns.
         turn, half_width = piece.beyond_well + left, (done + left) / 2
@@ -181,15 +181,16 @@ def reach_either_each(eta, hill, well, by_hill, amount, most):
     return reach_each(eta, rest, amount, most, each_pick(by_hill, -1, 1))
 
 
-def beyond_clamp_each(eta, piece, drop, rough):
+def beyond_clamp_each(eta, piece, rise, drop, rough):
     """How far the motion goes beyond the clamp, when the tip is ``drop`` below the one that turns there.
 
     V falls by the same amount on both sides. The rough value is as good as its difference to the clamp's distance
     from a hill or a well allows.
     """
     basin, rest, start, moment = piece.basin, piece.clamp_rest, piece.clamp_offset, 0
-    high = -piece.high_depth
-    amount = fall_each(eta, basin.well, high - drop, drop)
+    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
+    upper = from_hill < depth
+    amount = fall_each(eta, pick_rest_each(upper, basin.hill, basin.well), each_pick(upper, from_hill, -depth), drop)
     far = rough > 0.25 * each_abs(start)
     if basin.shoulder is not None:
         apart = wrapped_each(rest.angle + start - basin.shoulder.angle)
