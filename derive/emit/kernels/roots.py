@@ -14,8 +14,8 @@ def bracketed_root(function, places, values, blur):
     nodes, parts = (), ()
     for place, value in zip(reversed(places), reversed(values), strict=True):
         nodes, parts = with_node(nodes, parts, place, value)
-    (a, b, *third), (value_a, value_b, *_) = places, values
-    halve = not third
+    (a, b, *_), (value_a, value_b, *_) = places, values
+    halve = False
     while True:
         if abs(value_b) < abs(value_a):
             a, b, value_a, value_b = b, a, value_b, value_a
@@ -29,7 +29,7 @@ def bracketed_root(function, places, values, blur):
         trial = a + min(1 - least / width, share) * (b - a)
         value = function(trial)
         nodes, parts = with_node(nodes, parts, trial, value)
-        little = 8 * abs(value) > abs(value_a)
+        little = 4 * abs(value) > abs(value_a)
         if (value > 0) == (value_a > 0):
             a, value_a = trial, value
         else:
