@@ -89,20 +89,21 @@ def groups(rods):
             if which.size:
                 given, piece = rows(some, which), build(rows(ground, which))
                 group = Group(given, clamp.turns[which], full(which.shape, rank), piece, None)
-                parts, sharp = by_dips(rows(group, in_time(given, piece)))
+                parts, sharp = by_dips(group, in_time(given, piece))
                 found += parts
                 doubtful.append(sharp)
     return found, straight, concatenate(doubtful)
 
 
-def by_dips(group):
-    """The ranges without and with a dip, and the cases left to the scalar solver, for their dip is too sharp."""
+def by_dips(group, wanted):
+    """The ranges that are wanted, without and with a dip, and the cases left to the scalar solver, for their dip is
+    too sharp."""
     missing, dip = nearly_ridge(group.rods, group.piece)
-    plain, wide = missing > NEARLY, (missing <= NEARLY) & (missing >= SHARP)
+    plain, wide = wanted & (missing > NEARLY), wanted & (missing <= NEARLY) & (missing >= SHARP)
     parts = [rows(group, plain)] if plain.any() else []
     if wide.any():
         parts.append(rows(group._replace(dip=dip), wide))
-    return parts, group.rods.case[~plain & ~wide]
+    return parts, group.rods.case[wanted & ~plain & ~wide]
 
 
 def nearly_ridge(rods, piece):
