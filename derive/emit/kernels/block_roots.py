@@ -67,26 +67,26 @@ def surplus(swing, arrival, turns, sign, length):
     return 2 * turns * swing + sign * arrival - length
 
 
-def approached(group, brackets):
-    """Rough crossings by Chandrupatla's method (1997): places, and the slope of the branch there."""
-    kind = brackets.left.dtype
-    turns, sign = brackets.turns.astype(kind), brackets.sign.astype(kind)
-    a, b, value_a, value_b = brackets.left, brackets.right, brackets.value_left, brackets.value_right
+def approached(function, left, right, value_left, value_right, steps, spread):
+    """Approximate zeros by Chandrupatla's method (1997): places, and the slopes there.
+
+    spread: the distance of two places from which they tell a slope.
+    """
+    a, b, value_a, value_b = left, right, value_left, value_right
     slope = (value_a - value_b) / (a - b)
-    fraction = full(a.shape, 0.5, dtype=kind)
+    fraction = full(a.shape, 0.5, dtype=a.dtype)
     secant = value_a / (value_a - value_b)
     inside = (secant > 0.05) & (secant < 0.95)
     fraction[inside] = secant[inside]
-    for _ in range(STEPS):
+    for _ in range(steps):
         trial = a + fraction * (b - a)
-        swing, arrival = rough_times(group.rods, group.piece, trial)
-        value = surplus(swing, arrival, turns, sign, group.rods.length)
+        value = function(trial)
         same = (value > 0) == (value_a > 0)
         c, value_c = where(same, a, b), where(same, value_a, value_b)
         b, value_b = where(same, b, a), where(same, value_b, value_a)
         a, value_a = trial, value
         near, value_near = where(abs(a - b) < abs(a - c), b, c), where(abs(a - b) < abs(a - c), value_b, value_c)
-        slope = where(abs(near - a) > SPREAD, (value_near - value_a) / (near - a), slope)
+        slope = where(abs(near - a) > spread, (value_near - value_a) / (near - a), slope)
         fraction = inverse_quadratic(a, b, c, value_a, value_b, value_c)
     return a + fraction * (b - a), slope
 
@@ -99,11 +99,24 @@ def inverse_quadratic(a, b, c, value_a, value_b, value_c):
     return where((y * y < x) & ((1 - y) * (1 - y) < 1 - x) & (share > 0) & (share < 1), share, a.dtype.type(0.5))
 
 
-def polished(group, brackets, kind):
-    """The crossings to rounding, by secants from the rough ones, and the ranges in which one is not found so."""
-    some = rows(group, brackets.range)
-    place, slope = approached(rounded_to(some, kind), brackets)
-    place, slope, length = place.astype(float), slope.astype(float), some.rods.length
+def roughly_at(group, brackets, kind):
+    """Rough crossings of a group with a row for each: places, and the slope of the branch there."""
+    turns, sign, some = brackets.turns.astype(kind), brackets.sign.astype(kind), rounded_to(group, kind)
+
+    def value(trial):
+        swing, arrival = rough_times(some.rods, some.piece, trial)
+        return surplus(swing, arrival, turns, sign, some.rods.length)
+
+    ends = brackets.left, brackets.right, brackets.value_left, brackets.value_right
+    place, slope = approached(value, *ends, STEPS, SPREAD)
+    return place.astype(float), slope.astype(float)
+
+
+def polished(some, brackets, place, slope, secants):
+    """The crossings to rounding, by secants from rough ones, and the ranges in which one is not found so.
+
+    some: the group with a row for each; secants: as many before any is looked at for being right to rounding.
+    """
     least, most = minimum(brackets.left, brackets.right) - 0.01, maximum(brackets.left, brackets.right) + 0.01
     rising = (brackets.value_right > brackets.value_left) == (brackets.right > brackets.left)
     todo = flatnonzero((brackets.value_left > 0) != (brackets.value_right > 0))
@@ -119,7 +132,7 @@ def polished(group, brackets, kind):
             change = at - before[todo]
             slope[todo] = where(change == 0, slope[todo], (now - value[todo]) / where(change == 0, 1, change))
         step = now / slope[todo]
-        if turn >= SECANTS:
+        if turn >= secants:
             close = (abs(step) <= 4 * epsilon() * (1 + abs(at))) | (abs(now) <= 4 * epsilon() * extent)
             state = Found(branch.range, at, branch.turns, branch.sign, rising[todo], motion, phase, swing, arrival)
             parts.append(state if close.all() else rows(state, close))
