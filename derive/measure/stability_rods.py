@@ -18,7 +18,7 @@ from derive.emit.kernels.equilibria import all_equilibria
 from derive.emit.kernels.shapes import angle_and_position
 from derive.measure.reference import Rod
 
-LISTENED = tuple(f"derive.emit.kernels.{name}" for name in ("arcs", "potential", "shapes", "swing"))
+LISTENED = tuple(f"derive.emit.kernels.{name}" for name in ("arcs", "pieces", "potential", "shapes", "swing"))
 MOST_INDEX = 2
 MOST_SHAPES = 3
 PLACES = (0.0, 0.03, 0.31, 0.5, 0.77, 0.999)
