@@ -17,8 +17,9 @@ from hypothesis import strategies as st
 from mpmath import mp, mpf
 
 from derive.cache import Cache
+from derive.diagrams.front_picture import styles
 from derive.measure.bench import again, fronts, growth, judged, known, precision, ratios, tables, timing
-from derive.measure.bench.cells import OURS, PEER, Cell, Method, Problem, measure
+from derive.measure.bench.cells import ARTICLE, OURS, PEER, Cell, Method, Problem, measure
 from derive.measure.bench.families import FAMILIES, Plan, families, parts
 from derive.measure.bench.methods import at_once, methods
 from derive.measure.bench.methods.chebyshev import solve as collocated
@@ -141,6 +142,14 @@ def test_two_runs_are_compared(tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert again.main([first, str(tmp_path)]) == 2
     assert again.main([first]) == 2
     assert "holds no records of a run" in capsys.readouterr().err
+
+
+def test_methods_of_others_are_told_apart_in_pictures() -> None:
+    """By the same looks in all of them."""
+    looks = styles([a_record(method.name, 1.0, 1e-9, group=method.group) for method in methods()])
+    others = [looks[method.name] for method in methods() if method.group not in (OURS, ARTICLE)]
+    assert len(set(others)) == len(others)
+    assert not set(others) & {looks[method.name] for method in methods() if method.group in (OURS, ARTICLE)}
 
 
 @given(st.floats(-1, 3), st.floats(1e-9, 1))
@@ -299,22 +308,35 @@ def test_the_readme_s_table_is_written_from_a_full_run(tmp_path: Path, monkeypat
     monkeypatch.syspath_prepend(str(ROOT / "examples"))
     script = importlib.import_module("measure_table")
     records = [
-        a_record(method, 1.0, 1e-9, problem=problem, title=problem, setting=setting.replace("*", "n = 3"))
+        a_record(
+            method,
+            1.0,
+            1e-9,
+            problem=problem,
+            title=problem,
+            setting=setting.replace("*", "n = 3"),
+            group=OURS if method.startswith("emitted") else PEER,
+        )
         for problem, method, setting in tables.README_ROWS
     ]
-    source, readme = tmp_path / "measure.json", tmp_path / "README.md"
+    source, readme, guide = tmp_path / "measure.json", tmp_path / "README.md", tmp_path / "measure.md"
+    guide.write_text("before\n<!-- ratios -->\n<!-- end ratios -->\n", encoding="utf-8")
     readme.write_text("before\n<!-- measure -->\nold\n<!-- end measure -->\nafter\n", encoding="utf-8")
     found = {"about": {"mode": "full"}, "records": {"tasks": records}, "failed": {}}
     source.write_text(json.dumps(found), encoding="utf-8")
-    assert script.main(source, readme) == ""
+    assert script.main(source, readme, guide) == ""
     text = readme.read_text(encoding="utf-8")
     assert text.count("\n| ") == 1 + len(records)
+    assert "| solve_bvp, tol 1e-8 |" in guide.read_text(encoding="utf-8")
     assert text.startswith("before\n")
     assert "old" not in text
     source.write_text(json.dumps(found | {"records": {"tasks": records[1:]}}), encoding="utf-8")
-    assert "lacks T1/emitted, NumPy" in script.main(source, readme)
+    assert "lacks T1/emitted, NumPy" in script.main(source, readme, guide)
+    guide.write_text("no markers\n", encoding="utf-8")
+    source.write_text(json.dumps(found), encoding="utf-8")
+    assert "measure.md: has no lines <!-- ratios -->" in script.main(source, readme, guide)
     source.write_text("no JSON", encoding="utf-8")
-    assert "no result of `derive measure`" in script.main(source, readme)
+    assert "no result of `derive measure`" in script.main(source, readme, guide)
 
 
 @pytest.fixture(autouse=True)

@@ -26,16 +26,20 @@ HEAD = ("ours", "other", "times faster", "worst errors", "digits more", "median 
 
 
 def section(records: Sequence[Record]) -> list[str]:
-    """A table of all problems that one of these others does, as lines of Markdown."""
+    """The table with its heading; nothing if there is none of these others."""
+    rows = table(records)
+    text = "Below 1, the other is faster. A time of many rods at once is set against calls for one, which is said."
+    return ["## Ours against others", "", text, "", *rows] if len(rows) > 2 else []
+
+
+def table(records: Sequence[Record]) -> list[str]:
+    """All problems that one of these others does, as lines of Markdown."""
     lines = [f"| task | {' | '.join(HEAD)} |", "|---" * (len(HEAD) + 1) + "|"]
     for problem in dict.fromkeys(record["problem"] for record in records):
         rows = [record for record in records if record["problem"] == problem]
         pairs = ((ours, other) for ours in our_ways(rows) for other in others(rows))
         lines += [f"| {problem} | {' | '.join(row(*pair))} |" for pair in pairs]
-    if len(lines) == 2:
-        return []
-    text = "Below 1, the other is faster. A time of many rods at once is set against calls for one, which is said."
-    return ["## Ours against others", "", text, "", *lines]
+    return lines
 
 
 def our_ways(records: Sequence[Record]) -> Iterator[Record]:
