@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from altered import altered
 
 from derive.cli import main
 from derive.measure.bench import again, methods, precision
@@ -72,10 +73,7 @@ def test_a_spoilt_solver_fails_and_is_named(
     whole = parallel_numpy.folds
 
     def spoilt(*loads: Any, **options: Any) -> list[Any]:
-        found = whole(*loads, **options)
-        for fold in found:
-            object.__setattr__(fold, "eta", fold.eta * (1 + 1e-12))
-        return found
+        return [altered(fold, eta=fold.eta * (1 + 1e-12)) for fold in whole(*loads, **options)]
 
     monkeypatch.setattr(parallel_numpy, "folds", spoilt)
     capsys.readouterr()
