@@ -58,8 +58,20 @@ class Point(NamedTuple):
     root_sum: float
 
 
+class Heading(NamedTuple):
+    """The tip's direction: cos and sin of φ, and of 2(φ − α)."""
+
+    cosine: float
+    sine: float
+    double_cosine: float
+    double_sine: float
+
+
 class Arc(NamedTuple):
-    """A stretch of rod from the tip: ∫cos θ, ∫sin θ and η∫cos²(θ − α)."""
+    """A stretch of rod from the tip, less what it would be if it were straight along the tip's direction.
+
+    ∫cos θ, ∫sin θ and η∫cos²(θ − α), with cos θ − cos φ for cos θ and likewise.
+    """
 
     y: float
     z: float
@@ -84,24 +96,29 @@ def far_point(motion):
     return Point(b, pole, 0, far_pair_root(motion.end), motion.middle)
 
 
-def arc_to(beta, eta, field_angle, motion, point, square, rest, extent):
+def heading_of(field_angle, motion):
+    """The direction of a motion's tip."""
+    double = 2 * (motion.tip - field_angle)
+    return Heading(cos(motion.tip), sin(motion.tip), cos(double), sin(double))
+
+
+def arc_to(beta, eta, heading, motion, point, square, rest, extent):
     """The arc from the tip to a point, at ψ, of the given length."""
-    sine, cosine, lean = sin(motion.tip), cos(motion.tip), motion.tip - field_angle
-    double_sine, double_cosine = sin(2 * lean), cos(2 * lean)
     root = far_root(motion.near, cos(motion.half_width))
-    w_re, w_im = shift(eta, double_sine, double_cosine, motion, point, root, square, rest)
-    y, z = arc_y(sine, cosine, extent, w_re, w_im), arc_z(sine, cosine, extent, w_re, w_im)
+    w_re, w_im = shift(eta, heading, motion, point, root, square, rest)
+    y, z = arc_y(heading.sine, heading.cosine, w_re, w_im), arc_z(heading.sine, heading.cosine, w_re, w_im)
     first, second = motion.end / 2, motion.middle / 2
-    q, m = rest_stiffness(beta, eta, cosine, double_cosine), tip_cubic(beta, eta, sine, double_sine)
+    q = rest_stiffness(beta, eta, heading.cosine, heading.double_cosine)
+    m = tip_cubic(beta, eta, heading.sine, heading.double_sine)
     kink = kink_at(first, second, point, root, q, m, square, rest)
     growth = second_kind(first, second, square, rest, extent)
-    return Arc(y, z, arc_square(beta, eta, cosine, cos(lean), first, root, extent, y, kink, growth))
+    return Arc(y, z, arc_square(beta, first, root, extent, y, kink, growth))
 
 
-def shift(eta, double_sine, double_cosine, motion, point, root, square, rest):
+def shift(eta, heading, motion, point, root, square, rest):
     """W as real and imaginary part: ∫e^{iθ} from the tip is e^{iφ}(σ + W)."""
     b, near, far = point.strength, sqrt(motion.near), sqrt(motion.far)
-    twist = complex_of(rj_delta_real(eta, b, double_cosine), rj_delta_imag(eta, b, double_sine))
+    twist = complex_of(rj_delta_real(eta, b, heading.double_cosine), rj_delta_imag(eta, b, heading.double_sine))
     lift = pair_lift(near, far, motion.uneven, motion.half_cosine, square, rest)
     pole, lifted, less = complex_of(point.pole, -b), complex_of(lift, -b), complex_of(root, -b)
     third = rj_pair(point.one, point.product, point.root_sum, pole, lifted, less, twist)

@@ -2,12 +2,12 @@
 
 Emitted by `derive emit` from kernels/arcs.py: do not edit, change that file.
 
-Digest of the inputs: sha256 d181d4e44678f97630b7f32551acb1de25716dd0768fc7c8539074b27d439db4
+Digest of the inputs: sha256 b11aca3668c81536bd2f03fa0d651d6d364f6cb8448affb02b80e44c6d686bfa
 """
 
 from __future__ import annotations
 
-from derive.emit.kernels.arcs import Arc, Point
+from derive.emit.kernels.arcs import Arc, Heading, Point
 from derive.emit.kernels.arithmetic import epsilon
 from derive.emit.kernels.array_arithmetic import (
     any_of,
@@ -67,24 +67,31 @@ def far_point_each(motion):
     return Point(b, pole, 0, far_pair_root_each(motion.end), motion.middle)
 
 
-def arc_to_each(beta, eta, field_angle, motion, point, square, rest, extent):
+def heading_of_each(field_angle, motion):
+    """The direction of a motion's tip."""
+    double = 2 * (motion.tip - field_angle)
+    return Heading(each_cos(motion.tip), each_sin(motion.tip), each_cos(double), each_sin(double))
+
+
+def arc_to_each(beta, eta, heading, motion, point, square, rest, extent):
     """The arc from the tip to a point, at ψ, of the given length."""
-    sine, cosine, lean = each_sin(motion.tip), each_cos(motion.tip), motion.tip - field_angle
-    double_sine, double_cosine = each_sin(2 * lean), each_cos(2 * lean)
     root = far_root_each(motion.near, each_cos(motion.half_width))
-    w_re, w_im = shift_each(eta, double_sine, double_cosine, motion, point, root, square, rest)
-    y, z = arc_y_each(sine, cosine, extent, w_re, w_im), arc_z_each(sine, cosine, extent, w_re, w_im)
+    w_re, w_im = shift_each(eta, heading, motion, point, root, square, rest)
+    y, z = arc_y_each(heading.sine, heading.cosine, w_re, w_im), arc_z_each(heading.sine, heading.cosine, w_re, w_im)
     first, second = motion.end / 2, motion.middle / 2
-    q, m = rest_stiffness_each(beta, eta, cosine, double_cosine), tip_cubic_each(beta, eta, sine, double_sine)
+    q = rest_stiffness_each(beta, eta, heading.cosine, heading.double_cosine)
+    m = tip_cubic_each(beta, eta, heading.sine, heading.double_sine)
     kink = kink_at_each(first, second, point, root, q, m, square, rest)
     growth = second_kind_each(first, second, square, rest, extent)
-    return Arc(y, z, arc_square_each(beta, eta, cosine, each_cos(lean), first, root, extent, y, kink, growth))
+    return Arc(y, z, arc_square_each(beta, first, root, extent, y, kink, growth))
 
 
-def shift_each(eta, double_sine, double_cosine, motion, point, root, square, rest):
+def shift_each(eta, heading, motion, point, root, square, rest):
     """W as real and imaginary part: ∫e^{iθ} from the tip is e^{iφ}(σ + W)."""
     b, near, far = point.strength, each_sqrt(motion.near), each_sqrt(motion.far)
-    twist = each_complex_of(rj_delta_real_each(eta, b, double_cosine), rj_delta_imag_each(eta, b, double_sine))
+    twist = each_complex_of(
+        rj_delta_real_each(eta, b, heading.double_cosine), rj_delta_imag_each(eta, b, heading.double_sine)
+    )
     lift = pair_lift_each(near, far, motion.uneven, motion.half_cosine, square, rest)
     pole, lifted, less = each_complex_of(point.pole, -b), each_complex_of(lift, -b), each_complex_of(root, -b)
     third = rj_pair_each(point.one, point.product, point.root_sum, pole, lifted, less, twist)

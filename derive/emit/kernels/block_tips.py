@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from numpy import abs, cos, flatnonzero, floor, full, ldexp, sin, sqrt, where, zeros
 
-from derive.emit.kernels.arcs_each import arc_to_each, clamp_point_each, far_point_each
+from derive.emit.kernels.arcs_each import arc_to_each, clamp_point_each, far_point_each, heading_of_each
 from derive.emit.kernels.arithmetic import pi
 from derive.emit.kernels.block_records import rows
 
@@ -53,12 +53,12 @@ def bent(group, found, most):
         found, index = rows(found, wanted), index[wanted]
     some = rows(group, found.range)
     rods, motion, phase = some.rods, found.motion, found.phase
-    beta, eta, field_angle = rods.beta, rods.eta, rods.field_angle
-    cosine, aligned = cos(motion.tip), cos(motion.tip - field_angle)
-    y, z, square = positions(rods, found)
+    beta, eta, length = rods.beta, rods.eta, rods.length
+    heading = heading_of_each(rods.field_angle, motion)
+    y, z, square = departures(rods, heading, found)
     speed = phase.delta * phase.whole / (motion.end * motion.sine) * sqrt(2 * motion.done_sine * motion.left_sine)
-    gamma = 2 * beta * cosine + eta * aligned * aligned
-    energy = gamma * rods.length / 2 - 2 * beta * y - square
+    gamma = 2 * beta * heading.cosine + eta * (1 + heading.double_cosine) / 2
+    energy = -gamma * length / 2 - 2 * beta * y - square
     scale, side = rods.scale, rods.side
     return Columns(
         rods.case,
@@ -67,26 +67,25 @@ def bent(group, found, most):
         side * (motion.tip + 2 * pi * some.turns),
         -side * found.sign * ldexp(speed, scale),
         ldexp(gamma, 2 * scale),
-        ldexp(y, -scale),
-        side * ldexp(z, -scale),
+        ldexp(length * heading.cosine + y, -scale),
+        side * ldexp(length * heading.sine + z, -scale),
         ldexp(energy, scale),
         index,
     )
 
 
-def positions(rods, found):
-    """∫cos θ, ∫sin θ and η∫cos²(θ − α) along the rods; whole half-swings only for those that have any."""
+def departures(rods, heading, found):
+    """The arcs of the rods, less those of straight ones; whole half-swings only for those that have any."""
     motion, phase = found.motion, found.phase
-    beta, eta, field_angle = rods.beta, rods.eta, rods.field_angle
+    beta, eta = rods.beta, rods.eta
     point = clamp_point_each(motion, phase)
-    part = arc_to_each(beta, eta, field_angle, motion, point, phase.square, phase.rest, found.arrival)
+    part = arc_to_each(beta, eta, heading, motion, point, phase.square, phase.rest, found.arrival)
     columns = [found.sign * column for column in part]
     swung = flatnonzero(found.turns > 0)
     if swung.size:
-        some, motion, swing, turns = rows((rods, found.motion, found.swing, found.turns), swung)
+        some, heading, motion, swing, turns = rows((rods, heading, motion, found.swing, found.turns), swung)
         one, none = full(swung.shape, 1.0), zeros(swung.size)
-        far = far_point_each(motion)
-        whole = arc_to_each(some.beta, some.eta, some.field_angle, motion, far, one, none, swing)
+        whole = arc_to_each(some.beta, some.eta, heading, motion, far_point_each(motion), one, none, swing)
         for column, change in zip(columns, whole, strict=True):
             column[swung] += 2 * turns * change
     return columns

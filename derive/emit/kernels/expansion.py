@@ -56,7 +56,9 @@ def period_of(equilibrium):
     rod, swing = equilibrium.rod, equilibrium.swing
     if rod.length <= 2 * swing.length:
         return 0.0, 0.0
-    return 2 * swing.length, -2 * ldexp(1.0, -rod.scale) * complex(swing.arc.y, rod.side * swing.arc.z)
+    length, heading = swing.length, swing.heading
+    y, z = swing.arc.y + length * heading.cosine, swing.arc.z + length * heading.sine
+    return 2 * length, -2 * ldexp(1.0, -rod.scale) * complex(y, rod.side * z)
 
 
 def bins_of(equilibrium, position):

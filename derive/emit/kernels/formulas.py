@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 c09c4c1aab307217debebc4dddd6267d2195e5201f2767b5890ce11a2024676f
+Digest of the inputs: sha256 ef0ea1f082ce20d0718fea279913c6723e55071b73e29f3012ef8c55d435387f
 """
 
 from __future__ import annotations
@@ -430,20 +430,20 @@ def w_imag(b, rj_re):
     return 2 * b * rj_re / 3
 
 
-def arc_y(sine, cosine, arc, w_re, w_im):
-    """∫y′ dσ from the tip to the point, by sin φ and cos φ.
+def arc_y(sine, cosine, w_re, w_im):
+    """∫y′ dσ from the tip to the point less what it is along the tip's direction, by sin φ and cos φ.
 
     Equation exsl36; proved as swing.arc_y.
     """
-    return cosine * (arc + w_re) - sine * w_im
+    return cosine * w_re - sine * w_im
 
 
-def arc_z(sine, cosine, arc, w_re, w_im):
-    """∫z′ dσ from the tip to the point, by sin φ and cos φ.
+def arc_z(sine, cosine, w_re, w_im):
+    """∫z′ dσ from the tip to the point less what it is along the tip's direction, by sin φ and cos φ.
 
     Equation exsl41; proved as swing.arc_z.
     """
-    return sine * (arc + w_re) + cosine * w_im
+    return sine * w_re + cosine * w_im
 
 
 def others_sum(q, root):
@@ -489,15 +489,9 @@ def arc_kink_tip(first, second, delta, across, b, pole, near_root, gap):
     )
 
 
-def arc_square(beta, eta, cosine, aligned, first, root, arc, y, kink, growth):
-    """η∫cos²(θ − α)dσ from the tip to the point, by cos φ and cos(φ − α).
+def arc_square(beta, first, root, arc, y_apart, kink, growth):
+    """η∫cos²(θ − α)dσ from the tip to the point less what it is along the tip's direction, by the same of y.
 
     Equation DLMF 19.29(ii); proved as swing.arc_square.
     """
-    return (
-        arc * (beta * cosine + eta * aligned * aligned)
-        - beta * y
-        - 2 * arc * (2 * first * first - 2 * root)
-        - 2 * kink
-        - 8 * growth
-    )
+    return -beta * y_apart - 2 * arc * (2 * first * first - 2 * root) - 2 * kink - 8 * growth

@@ -61,9 +61,10 @@ def angle_and_position(equilibrium, s):
     angle, speed, arc = on_swing(rod, swing, station)
     times = station.whole + 1 if back else station.whole
     sign = -1 if back else 1
-    y = equilibrium.y - ldexp(times * swing.arc.y + sign * arc.y, -rod.scale)
-    z = equilibrium.z - rod.side * ldexp(times * swing.arc.z + sign * arc.z, -rod.scale)
-    return rod.side * (angle + 2 * pi * swing.turns), -rod.side * sign * ldexp(speed, rod.scale), y, z
+    # Along the tip's direction the rod is as long as it is; only what it departs by from that has been computed.
+    y = s * swing.heading.cosine + ldexp(swing.total.y - times * swing.arc.y - sign * arc.y, -rod.scale)
+    z = s * swing.heading.sine + ldexp(swing.total.z - times * swing.arc.z - sign * arc.z, -rod.scale)
+    return rod.side * (angle + 2 * pi * swing.turns), -rod.side * sign * ldexp(speed, rod.scale), y, rod.side * z
 
 
 def station_of(rod, swing, s):
@@ -92,14 +93,15 @@ def station_at(swing, whole, from_tip, length, beside, away):
 
 def on_swing(rod, swing, station):
     """θ, dθ/dσ and the arc from the tip at a point of the first half-swing."""
-    stay, motion = swing.stay, swing.stay.motion
+    stay = swing.stay
     regular = swing.length - stay.tip - stay.middle - stay.far
-    tip, here, middle, far = parts(station.from_tip, stay.tip, regular, stay.middle)
+    _, here, middle, far = parts(station.from_tip, stay.tip, regular, stay.middle)
     _, left, _, _ = parts(station.from_far, stay.far, regular, stay.middle)
     angle, speed, arc = regular_part(rod, swing, station, here, left)
-    for straight, extent in ((motion.tip, tip), (swing.middle_angle, middle), (swing.far_angle, far)):
+    for straight, extent in ((swing.middle_angle, middle), (swing.far_angle, far)):
         if extent > 0:
-            arc = Arc(arc.y + extent * cos(straight), arc.z + extent * sin(straight), arc.square)
+            turned_y, turned_z = cos(straight) - swing.heading.cosine, sin(straight) - swing.heading.sine
+            arc = Arc(arc.y + extent * turned_y, arc.z + extent * turned_z, arc.square)
     return angle, speed, arc
 
 
@@ -127,7 +129,7 @@ def regular_part(rod, swing, station, here, left):
     else:
         square, rest = phase_at(a, b, here, left)
     point, half, low = point_at(motion, square, rest)
-    arc = arc_to(rod.beta, rod.eta, rod.field_angle, motion, point, square, rest, here)
+    arc = arc_to(rod.beta, rod.eta, swing.heading, motion, point, square, rest, here)
     speed = point_speed(point.strength, low, point.one, point.product)
     return motion.tip + 2 * half, speed, arc
 
