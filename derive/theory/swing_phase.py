@@ -232,20 +232,30 @@ def _write_second_kind(step: Phase, writer: Writer) -> None:
 
     def falls(value: Expr) -> Equal:
         # Along σ: dS/dσ = 2 sin ψ cos ψ Δ, and the length grows by 1.
-        here = value.subs({delta: root, rest: 1 - square})
+        here = value.subs({total: a + b, step_gap: a - b, below: a + root}).subs(rest, 1 - square)
         slope = diff(here, square) * 2 * sqrt(square * (1 - square)) * root + diff(here, arc)
         after = (geometric**2 - mean**2) * step.square.subs(delta, root)
         return Equal((b**2 - a**2) * square, 2 * after - slope)
 
     lost = writer.add(
         "second_kind_step",
-        (first, second, square, rest, delta, arc),
-        (a - b) * (a + b) * (arc / 2 - sqrt(square * rest) / (a + delta)),
-        "2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step",
+        (total, step_gap, below, square, rest, arc),
+        total * step_gap * (arc / 2 - sqrt(square * rest) / below),
+        "2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step; below = a + Δ",
         falls,
         PHASE,
         steps=("gauss_square", "gauss_rest"),
         source="DLMF 19.8.19",
+    )
+    writer.add(
+        "gauss_gap",
+        (step_gap, total),
+        step_gap**2 / (4 * total),
+        "a′ − b′ after Gauss's step, by gap = a − b and total = a′ + b′",
+        lambda value: Equal(value.subs({step_gap: a - b, total: mean + geometric}), mean - geometric),
+        PHASE,
+        steps=("gauss_square",),
+        source="DLMF 19.8(i)",
     )
     start = Equal(lost.subs({square: 0, arc: 0}), 0)
     writer.claim("second_kind_tip", "the term is zero at the tip", start, PHASE, steps=("second_kind_step",))

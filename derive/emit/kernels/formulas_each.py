@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 f85ab2d706c0e8e67bbe803d68f547c6fa63aec6ee20e96ef6bcaaa7bcb80775
+Digest of the inputs: sha256 2a5378811a9f135ac4ab8c6f4197757fe26479af3bcbaeb8612a3ae0c4cad2a3
 """
 
 from __future__ import annotations
@@ -166,12 +166,20 @@ def gauss_rest_each(first, second, square, rest, delta, below):
     )
 
 
-def second_kind_step_each(first, second, square, rest, delta, arc):
-    """2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step.
+def second_kind_step_each(total, gap, below, square, rest, arc):
+    """2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step; below = a + Δ.
 
     Equation DLMF 19.8.19; proved as swing.second_kind_step.
     """
-    return (first + second) * (first - second) * (0.5 * arc - each_sqrt(square * rest) / (first + delta))
+    return total * gap * (0.5 * arc - each_sqrt(square * rest) / below)
+
+
+def gauss_gap_each(gap, total):
+    """a′ − b′ after Gauss's step, by gap = a − b and total = a′ + b′.
+
+    Equation DLMF 19.8(i); proved as swing.gauss_gap.
+    """
+    return 0.25 * gap * gap / total
 
 
 def back_below_each(first, second, square):
