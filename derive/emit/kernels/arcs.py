@@ -133,7 +133,7 @@ def kink_at(first, second, point, root, q, m, square, rest):
     others = others_sum(q, root)
     gap = pole_gap(x, abs(x), others, others_product(b, m, root, others), product)
     far = arc_kink(square, delta, across, b, x, near_root, product)
-    return pick(x > 1, arc_kink_tip(first, second, delta, across, b, x, near_root, gap), far)
+    return pick(x > 0.25, arc_kink_tip(first, second, delta, across, b, x, near_root, gap), far)
 
 
 def rj_pair(x, product, root_sum, p, lift, less, twist):
