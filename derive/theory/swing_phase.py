@@ -196,7 +196,7 @@ def _write_gauss(writer: Writer) -> Phase:
         return 1 / (4 * at * (1 - at) * (one**2 * (1 - at) + other**2 * at))
 
     def keeps(value: Expr) -> Equal:
-        at = value.subs(sums).subs(delta, root)
+        at = value.subs(sums).subs({delta: root, rest: 1 - square})
         speed = diff(at, square) ** 2 * squared(at, (a + b) / 2, sqrt(a * b))
         return Equal(speed, squared(square, a, b))
 
@@ -221,6 +221,26 @@ def _write_gauss(writer: Writer) -> Phase:
         PHASE,
         steps=("gauss_square",),
         source=source,
+    )
+    far_square = writer.add(
+        "far_square",
+        (first, rest, delta),
+        a**2 * rest / delta**2,
+        "sin²ψ of the same point by the length from the far turning point",
+        keeps,
+        PHASE,
+        steps=("phase_rate",),
+        source="DLMF 22.4(iii)",
+    )
+    writer.add(
+        "far_rest",
+        (second, square, delta),
+        b**2 * square / delta**2,
+        "cos²ψ of the same point by the length from the far turning point",
+        lambda value: Equal((value + far_square).subs({delta: root, rest: 1 - square}), 1),
+        PHASE,
+        steps=("far_square",),
+        source="DLMF 22.4(iii)",
     )
     return Phase(delta_there, new_square.subs(sums), new_rest.subs(sums))
 

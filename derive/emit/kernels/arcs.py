@@ -23,7 +23,9 @@ from derive.emit.kernels.formulas import (
     arc_y,
     arc_z,
     far_pair_root,
+    far_rest,
     far_root,
+    far_square,
     others_product,
     others_sum,
     pair_lift,
@@ -94,6 +96,35 @@ def far_point(motion):
     b = strength(motion.near_moment)
     pole = point_pole(b, motion.sine, cos(motion.half_width))
     return Point(b, pole, 0, far_pair_root(motion.end), motion.middle)
+
+
+def turned_back(motion):
+    """The motion from its far turning point back to the tip, as the mirror at the y axis shows it."""
+    return motion._replace(
+        tip=-(motion.tip + 2 * motion.half_width),
+        done=motion.left,
+        left=motion.done,
+        near_moment=motion.far_moment,
+        far_moment=motion.near_moment,
+        near=motion.far,
+        far=motion.near,
+        uneven=-motion.uneven,
+        done_sine=motion.left_sine,
+        left_sine=motion.done_sine,
+    )
+
+
+def phase_from_far(motion, square, rest):
+    """sin²ψ and cos²ψ of a point as the motion turned back has them."""
+    first, second = motion.end / 2, motion.middle / 2
+    delta = phase_rate(first, second, square, rest)
+    return far_square(first, rest, delta), far_rest(second, square, delta)
+
+
+def arc_from_far(eta, heading, there, arc, extent):
+    """The arc of a motion turned back, whose heading is ``there``, as what departs from the tip's direction."""
+    y, z = arc.y + extent * (there.cosine - heading.cosine), arc.z + extent * (there.sine + heading.sine)
+    return Arc(y, -z, arc.square + extent * eta * (there.double_cosine - heading.double_cosine) / 2)
 
 
 def heading_of(field_angle, motion):

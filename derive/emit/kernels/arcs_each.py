@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/arcs.py: do not edit, change that file.
 
-Digest of the inputs: sha256 b11aca3668c81536bd2f03fa0d651d6d364f6cb8448affb02b80e44c6d686bfa
+Digest of the inputs: sha256 e71f1011024ebd5c950243777bc7d305496842468efe5cb601b545ffdcc2d53b
 """
 
 from __future__ import annotations
@@ -28,7 +28,9 @@ from derive.emit.kernels.formulas_each import (
     arc_y_each,
     arc_z_each,
     far_pair_root_each,
+    far_rest_each,
     far_root_each,
+    far_square_each,
     others_product_each,
     others_sum_each,
     pair_lift_each,
@@ -65,6 +67,35 @@ def far_point_each(motion):
     b = strength_each(motion.near_moment)
     pole = point_pole_each(b, motion.sine, each_cos(motion.half_width))
     return Point(b, pole, 0, far_pair_root_each(motion.end), motion.middle)
+
+
+def turned_back_each(motion):
+    """The motion from its far turning point back to the tip, as the mirror at the y axis shows it."""
+    return motion._replace(
+        tip=-(motion.tip + 2 * motion.half_width),
+        done=motion.left,
+        left=motion.done,
+        near_moment=motion.far_moment,
+        far_moment=motion.near_moment,
+        near=motion.far,
+        far=motion.near,
+        uneven=-motion.uneven,
+        done_sine=motion.left_sine,
+        left_sine=motion.done_sine,
+    )
+
+
+def phase_from_far_each(motion, square, rest):
+    """sin²ψ and cos²ψ of a point as the motion turned back has them."""
+    first, second = motion.end / 2, motion.middle / 2
+    delta = phase_rate_each(first, second, square, rest)
+    return far_square_each(first, rest, delta), far_rest_each(second, square, delta)
+
+
+def arc_from_far_each(eta, heading, there, arc, extent):
+    """The arc of a motion turned back, whose heading is ``there``, as what departs from the tip's direction."""
+    y, z = arc.y + extent * (there.cosine - heading.cosine), arc.z + extent * (there.sine + heading.sine)
+    return Arc(y, -z, arc.square + extent * eta * (there.double_cosine - heading.double_cosine) / 2)
 
 
 def heading_of_each(field_angle, motion):
@@ -106,7 +137,7 @@ def kink_at_each(first, second, point, root, q, m, square, rest):
     others = others_sum_each(q, root)
     gap = pole_gap_each(x, each_abs(x), others, others_product_each(b, m, root, others), product)
     far = arc_kink_each(square, delta, across, b, x, near_root, product)
-    return each_pick(x > 1, arc_kink_tip_each(first, second, delta, across, b, x, near_root, gap), far)
+    return each_pick(x > 0.25, arc_kink_tip_each(first, second, delta, across, b, x, near_root, gap), far)
 
 
 def rj_pair_each(x, product, root_sum, p, lift, less, twist):

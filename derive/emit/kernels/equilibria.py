@@ -5,7 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
-from derive.emit.kernels.arcs import Arc, Heading, arc_to, clamp_point, far_point, heading_of
+from derive.emit.kernels.arcs import (
+    Arc,
+    Heading,
+    arc_from_far,
+    arc_to,
+    clamp_point,
+    far_point,
+    heading_of,
+    phase_from_far,
+    turned_back,
+)
 from derive.emit.kernels.arithmetic import (
     cos,
     epsilon,
@@ -167,10 +177,15 @@ def bent_rod(rod, turns, piece, crossing, index):
     if crossing.turns:
         whole = arc_to(beta, eta, heading, motion, far_point(motion), 1, 0, swing)
         whole = with_stays(rod, heading, whole, basin, stay.middle, stay.far)
-    part = arc_to(beta, eta, heading, motion, clamp_point(motion, phase), phase.square, phase.rest, arrival)
-    part = with_stays(rod, heading, part, basin, stay.arrival, 0)
     both, sign = 2 * crossing.turns, crossing.sign
-    arc = Arc(*(float(both * a + sign * b) for a, b in zip(whole, part, strict=True)))
+    if sign > 0:
+        part = arc_to(beta, eta, heading, motion, clamp_point(motion, phase), phase.square, phase.rest, arrival)
+        part = with_stays(rod, heading, part, basin, stay.arrival, 0)
+    else:
+        part = last_stretch(rod, heading, motion, phase, swing - arrival)
+        part = with_stays(rod, heading, part, basin, stay.middle - stay.arrival, stay.far)
+    through = both if sign > 0 else both - 1
+    arc = Arc(*(float(through * a + b) for a, b in zip(whole, part, strict=True)))
     speed = phase.delta * phase.whole / (motion.end * motion.sine)
     speed = speed * sqrt(2 * motion.done_sine * motion.left_sine)
     gamma = 2 * beta * heading.cosine + eta * (1 + heading.double_cosine) / 2
@@ -197,13 +212,22 @@ def bent_rod(rod, turns, piece, crossing, index):
             arc,
             basin.axis.angle,
             basin.far.angle,
-            both if sign > 0 else both - 1,
+            through,
             first,
             arrival,
             phase.square,
             phase.rest,
         ),
     )
+
+
+def last_stretch(rod, heading, motion, phase, extent):
+    """The arc from the last turning point to the clamp, of a rod that ends on its way back; extent: its length."""
+    back = turned_back(motion)
+    there, (square, rest) = heading_of(-rod.field_angle, back), phase_from_far(motion, phase.square, phase.rest)
+    point = clamp_point(back, phase._replace(square=square, rest=rest))
+    arc = arc_to(rod.beta, rod.eta, there, back, point, square, rest, extent)
+    return arc_from_far(rod.eta, heading, there, arc, extent)
 
 
 def with_stays(rod, heading, arc, basin, middle, far):

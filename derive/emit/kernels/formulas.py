@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 bd532063ddb1a87e824a9d58754303bf799b17a0cab18b56c354604e1ac57e2b
+Digest of the inputs: sha256 897c842dbd55ca0dd541a6b4efb1204e2b594cf730c96e48077f935687e3cd10
 """
 
 from __future__ import annotations
@@ -164,6 +164,22 @@ def gauss_rest(first, second, square, rest, delta, below):
         * (first + (first * first + square * second * second) / (delta + second * square))
         / (below * below)
     )
+
+
+def far_square(first, rest, delta):
+    """sin²ψ of the same point by the length from the far turning point.
+
+    Equation DLMF 22.4(iii); proved as swing.far_square.
+    """
+    return rest * first * first / (delta * delta)
+
+
+def far_rest(second, square, delta):
+    """cos²ψ of the same point by the length from the far turning point.
+
+    Equation DLMF 22.4(iii); proved as swing.far_rest.
+    """
+    return square * second * second / (delta * delta)
 
 
 def second_kind_step(total, gap, below, square, rest, arc):

@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 2a5378811a9f135ac4ab8c6f4197757fe26479af3bcbaeb8612a3ae0c4cad2a3
+Digest of the inputs: sha256 3698dbb8b7ee9926a72eebfc966eba64435db470ef55246c4c5ba6111be86a55
 """
 
 from __future__ import annotations
@@ -164,6 +164,22 @@ def gauss_rest_each(first, second, square, rest, delta, below):
         * (first + (first * first + square * second * second) / (delta + second * square))
         / (below * below)
     )
+
+
+def far_square_each(first, rest, delta):
+    """sin²ψ of the same point by the length from the far turning point.
+
+    Equation DLMF 22.4(iii); proved as swing.far_square.
+    """
+    return rest * first * first / (delta * delta)
+
+
+def far_rest_each(second, square, delta):
+    """cos²ψ of the same point by the length from the far turning point.
+
+    Equation DLMF 22.4(iii); proved as swing.far_rest.
+    """
+    return square * second * second / (delta * delta)
 
 
 def second_kind_step_each(total, gap, below, square, rest, arc):

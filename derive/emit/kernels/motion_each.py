@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 730c510efc995b2c942fc9c83bd268468dd8f026b91518a0bb938ec4193623f4
+Digest of the inputs: sha256 f17e25f441c92508577a19c579597cfa51ef9a4819809f7c51a493d30be44fd3
 """
 
 from __future__ import annotations
@@ -111,7 +111,9 @@ def parallel_side_each(beta, eta, piece, rise, drop, from_hill, depth):
     up = 2 * each_asin(within_each(dip / each_sin((down + distance) / 2)))
     if piece.high_kind == "turn":
         share = each_sin(from_hill + drop / 2) * each_sin(drop / 2) / each_sin((piece.far_gap + distance) / 2)
-        left = 2 * each_asin(within_each(share))
+        # The clamp's own distance from the hill is exact, the range's width is not.
+        rough = piece.far_gap - distance
+        left = each_pick(rough > 0.25 * piece.far_gap, rough, 2 * each_asin(within_each(share)))
     else:
         left = up + piece.high_depth
     return (up + depth) / 2, left, 4 * eta * dip * low * high, distance
