@@ -48,8 +48,8 @@ class Station(NamedTuple):
     away: int
 
 
-def angle_and_position(equilibrium, s):
-    """θ, θ′, y and z at an arc length s from the clamp."""
+def angle_and_position(equilibrium, s, position=True):
+    """θ, θ′, y and z at an arc length s from the clamp; y and z are worth nothing without ``position``."""
     rod, swing = equilibrium.rod, equilibrium.swing
     if swing is None:
         length = ldexp(rod.length, -rod.scale)
@@ -58,7 +58,7 @@ def angle_and_position(equilibrium, s):
         return angle, bend * (left / length), equilibrium.y * share, equilibrium.z * share
     station = station_of(rod, swing, ldexp(s, rod.scale))
     sign = -1 if station.whole % 2 == 1 else 1
-    angle, speed, arc = on_swing(rod, swing, station)
+    angle, speed, arc = on_swing(rod, swing, station, position)
     # Along the tip's direction the rod is as long as it is; only what it departs by from that has been computed.
     y = s * swing.heading.cosine + ldexp(swing.total.y - station.whole * swing.arc.y - arc.y, -rod.scale)
     z = s * swing.heading.sine + ldexp(swing.total.z - station.whole * swing.arc.z - arc.z, -rod.scale)
@@ -72,7 +72,7 @@ def station_of(rod, swing, s):
     """
     towards_tip = swing.whole % 2 == 0
     ahead = swing.arrival if towards_tip else swing.length - swing.arrival
-    if s < 0 or 2 * s >= rod.length:  # series of bins begin before the clamp
+    if 2 * s >= rod.length:
         whole = floor((rod.length - s) / swing.length)
         return station_at(swing, whole, whole % 2 == 0, rod.length - s - whole * swing.length, s, 0)
     if s <= ahead:
@@ -89,7 +89,7 @@ def station_at(swing, whole, from_tip, length, beside, away):
     return Station(whole, near, far, beside, away)
 
 
-def on_swing(rod, swing, station):
+def on_swing(rod, swing, station, position):
     """θ, dθ/dσ and the arc from the last turning point, or from the tip, at a point of the first half-swing."""
     stay = swing.stay
     regular = swing.length - stay.tip - stay.middle - stay.far
@@ -97,7 +97,7 @@ def on_swing(rod, swing, station):
     first, left, behind, _ = parts(station.from_far, stay.far, regular, stay.middle)
     if station.whole % 2 == 1:
         middle, far = behind, first
-    angle, speed, arc = regular_part(rod, swing, station, here, left)
+    angle, speed, arc = regular_part(rod, swing, station, here, left, position)
     for straight, extent in ((swing.middle_angle, middle), (swing.far_angle, far)):
         if extent > 0:
             turned_y, turned_z = cos(straight) - swing.heading.cosine, sin(straight) - swing.heading.sine
@@ -118,7 +118,7 @@ def parts(length, stay, regular, middle_stay):
     return first, here, middle, max(rest - middle - here, 0)
 
 
-def regular_part(rod, swing, station, here, left):
+def regular_part(rod, swing, station, here, left, position):
     """θ, dθ/dσ and the arc by the motion alone, at its lengths from the tip and from the far turning point."""
     motion, back = swing.stay.motion, station.whole % 2 == 1
     if here <= epsilon() * left:  # where the square of the phase may underflow
@@ -131,7 +131,9 @@ def regular_part(rod, swing, station, here, left):
         square, rest = phase_at(a, b, here, left)
     point, half, low = point_at(motion, square, rest)
     speed = point_speed(point.strength, low, point.one, point.product)
-    if back:
+    if not position:
+        arc = Arc(0, 0, 0)
+    elif back:
         arc = arc_back(rod, swing.heading, motion, square, rest, left)
     else:
         arc = arc_to(rod.beta, rod.eta, swing.heading, motion, point, square, rest, here)
