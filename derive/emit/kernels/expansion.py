@@ -1,8 +1,8 @@
 """Power series of a rod in the length from its clamp, in bins along it, by the equation of equilibrium.
 
 Lengths are the rod's own, in which β + η is of order one. A series is about the middle of its bin, where angle, slope
-and place come from the closed form; it is as long as its last terms ask for. A length from the clamp is what is asked for,
-so that it is not rounded: where a long rod bends, the last digit of a length from its tip is many digits of θ.
+and place come from the closed form; it is as long as its last terms ask for. What is asked for is a length from the
+clamp, so that it is not rounded: where a long rod bends, the last digit of one from its tip is many digits of θ.
 """
 
 from __future__ import annotations

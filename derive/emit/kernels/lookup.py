@@ -75,8 +75,10 @@ def fill(rod, table, s, results, spare):
 
 
 def locate(table, within, whole, gathered, row):
-    """From lengths from the clamp to the rows, and to places in the cells, between −½ and ½; exact, for cells are powers
-    of two wide."""
+    """From lengths from the clamp to the rows, and to places in the cells, between −½ and ½.
+
+    Exact, for cells are powers of two wide.
+    """
     within *= table.cells
     np.floor(within, out=whole)
     within -= whole
