@@ -32,6 +32,7 @@ __all__ = [
     "log",
     "pi",
     "pick",
+    "plus_quarters",
     "real",
     "sin",
     "spacing",
@@ -68,6 +69,11 @@ def real(name: str, value: object) -> float:
 def less_quarters(angle, quarters):
     """angle − quarters·π/2, with π/2 in two parts of which the first has 33 bits, so that nothing is lost."""
     return (angle - quarters * 1.5707963267341256) - quarters * 6.077100506506192e-11
+
+
+def plus_quarters(angle, quarters):
+    """angle + quarters·π/2, rounded once where the sum is large."""
+    return (angle + quarters * 6.077100506506192e-11) + quarters * 1.5707963267341256
 
 
 def pick(condition, yes, no):

@@ -25,6 +25,7 @@ from derive.emit.kernels.arithmetic import (
     ldexp,
     less_quarters,
     pi,
+    plus_quarters,
     sin,
     sqrt,
 )
@@ -195,7 +196,7 @@ def bent_rod(rod, turns, piece, crossing, index):
     # The length of the rod is better known than that of a half-swing.
     half_swing = (length - sign * first) / both if both else swing + stay.tip + stay.middle + stay.far
     return Equilibrium(
-        rod.side * (motion.tip + 2 * pi * turns),
+        rod.side * plus_quarters(motion.tip, 4 * turns),
         -rod.side * sign * ldexp(speed, scale),
         ldexp(gamma, 2 * scale),
         ldexp(length * heading.cosine + arc.y, -scale),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from derive.emit.kernels.arcs import Arc, Point, arc_from_far, arc_to, heading_of, phase_from_far, turned_back
-from derive.emit.kernels.arithmetic import atan2, cos, epsilon, floor, ldexp, pi, pick, sin, sqrt
+from derive.emit.kernels.arithmetic import atan2, cos, epsilon, floor, ldexp, pick, plus_quarters, sin, sqrt
 from derive.emit.kernels.formulas import (
     before_cosine,
     before_over,
@@ -62,7 +62,8 @@ def angle_and_position(equilibrium, s, position=True):
     # Along the tip's direction the rod is as long as it is; only what it departs by from that has been computed.
     y = s * swing.heading.cosine + ldexp(swing.total.y - station.whole * swing.arc.y - arc.y, -rod.scale)
     z = s * swing.heading.sine + ldexp(swing.total.z - station.whole * swing.arc.z - arc.z, -rod.scale)
-    return rod.side * (angle + 2 * pi * swing.turns), -rod.side * sign * ldexp(speed, rod.scale), y, rod.side * z
+    theta, curvature = plus_quarters(angle, 4 * swing.turns), -sign * ldexp(speed, rod.scale)
+    return rod.side * theta, rod.side * curvature, y, rod.side * z
 
 
 def station_of(rod, swing, s):
