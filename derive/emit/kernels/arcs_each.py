@@ -2,11 +2,7 @@
 
 Emitted by `derive emit` from kernels/arcs.py: do not edit, change that file.
 
-<<<<<<< HEAD
-Digest of the inputs: sha256 eb34c3ab86bff92f992d8b2ff37aaafaa1ed3b676b073ca2b996bba5fbd04feb
-=======
-Digest of the inputs: sha256 e71f1011024ebd5c950243777bc7d305496842468efe5cb601b545ffdcc2d53b
->>>>>>> acc2
+Digest of the inputs: sha256 a740b1c6b9046d809908fbecbcd9e2163cf8d74d8bcbd3e517e9faad0386c5a5
 """
 
 from __future__ import annotations

@@ -59,19 +59,11 @@ def bent(group, found, most):
     wanted = flatnonzero(index <= most)
     if wanted.size < index.size:
         found, index = rows(found, wanted), index[wanted]
-<<<<<<< HEAD
     rods, rank, turns = rows((group.rods, group.rank, group.turns), found.range)
     motion, phase = found.motion, found.phase
-    beta, eta, field_angle = rods.beta, rods.eta, rods.field_angle
-    cosine, aligned = cos(motion.tip), cos(motion.tip - field_angle)
-    y, z, square = positions(rods, found)
-=======
-    some = rows(group, found.range)
-    rods, motion, phase = some.rods, found.motion, found.phase
     beta, eta, length = rods.beta, rods.eta, rods.length
     heading = heading_of_each(rods.field_angle, motion)
     y, z, square = departures(rods, heading, found)
->>>>>>> acc2
     speed = phase.delta * phase.whole / (motion.end * motion.sine) * sqrt(2 * motion.done_sine * motion.left_sine)
     gamma = 2 * beta * heading.cosine + eta * (1 + heading.double_cosine) / 2
     energy = -gamma * length / 2 - 2 * beta * y - square
