@@ -195,9 +195,9 @@ def _write_gauss(writer: Writer) -> Phase:
         # (dψ/dS)²/(a² cos²ψ + b² sin²ψ) with S = sin²ψ.
         return 1 / (4 * at * (1 - at) * (one**2 * (1 - at) + other**2 * at))
 
-    def keeps(value: Expr) -> Equal:
+    def keeps(value: Expr, one: Expr = (a + b) / 2, other: Expr = sqrt(a * b)) -> Equal:
         at = value.subs(sums).subs({delta: root, rest: 1 - square})
-        speed = diff(at, square) ** 2 * squared(at, (a + b) / 2, sqrt(a * b))
+        speed = diff(at, square) ** 2 * squared(at, one, other)
         return Equal(speed, squared(square, a, b))
 
     sums = {total: a + b, below: a + delta}
@@ -227,7 +227,7 @@ def _write_gauss(writer: Writer) -> Phase:
         (first, rest, delta),
         a**2 * rest / delta**2,
         "sin²ψ of the same point by the length from the far turning point",
-        keeps,
+        lambda value: keeps(value, a, b),
         PHASE,
         steps=("phase_rate",),
         source="DLMF 22.4(iii)",
