@@ -303,6 +303,14 @@ def _write_back(step: Phase, writer: Writer) -> None:
             1 - square,
             ("back_below_rest",),
         ),
+        (
+            "back_move",
+            (a, step_gap, square, rest, below),
+            square * rest * step_gap * (2 * a + below) / below**2,
+            "by how much sin²ψ is more than sin²ψ′, with gap = a − b",
+            square - step.square,
+            ("back_square",),
+        ),
     ):
         writer.add(
             name,

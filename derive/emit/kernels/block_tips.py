@@ -93,7 +93,7 @@ def departures(rods, heading, found):
         whole = arc_to_each(some.beta, some.eta, there, motion, far_point_each(motion), one, none, swing)
         for column, change in zip(columns, whole, strict=True):
             column[swung] = times * change
-    for which, stretch in ((found.sign > 0, first_stretch), (found.sign < 0, last_stretch)):
+    for which, stretch in ((found.sign > 0, first_stretches), (found.sign < 0, last_stretches)):
         some = flatnonzero(which)
         if some.size:
             for column, change in zip(columns, stretch(*rows((rods, heading, found), some)), strict=True):
@@ -101,14 +101,14 @@ def departures(rods, heading, found):
     return columns
 
 
-def first_stretch(rods, heading, found):
+def first_stretches(rods, heading, found):
     """The arcs from the tip, or from where the motion is as there, to the clamp."""
     motion, phase = found.motion, found.phase
     point = clamp_point_each(motion, phase)
     return arc_to_each(rods.beta, rods.eta, heading, motion, point, phase.square, phase.rest, found.arrival)
 
 
-def last_stretch(rods, heading, found):
+def last_stretches(rods, heading, found):
     """The arcs from the last turning point to the clamp, of rods that end on their way back."""
     back, extent = turned_back_each(found.motion), found.swing - found.arrival
     there = heading_of_each(-rods.field_angle, back)

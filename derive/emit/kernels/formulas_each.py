@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 3698dbb8b7ee9926a72eebfc966eba64435db470ef55246c4c5ba6111be86a55
+Digest of the inputs: sha256 7f8ba60ae83382b6857c791687627dbb6b2c4d74cced334926a1a3989f1fa5d1
 """
 
 from __future__ import annotations
@@ -228,6 +228,14 @@ def back_rest_each(first, second, gap, rest, below):
     Equation DLMF 19.8(iii); proved as swing.back_rest.
     """
     return rest * (4 * first * second + rest * gap * gap) / (below * below)
+
+
+def back_move_each(first, gap, square, rest, below):
+    """by how much sin²ψ is more than sin²ψ′, with gap = a − b: Gauss's step undone.
+
+    Equation DLMF 19.8(iii); proved as swing.back_move.
+    """
+    return gap * square * rest * (below + 2 * first) / (below * below)
 
 
 def strength_each(moment_there):

@@ -19,6 +19,7 @@ from derive.emit.kernels.formulas import (
     pair_root,
     pair_root_sum,
     phase_rate,
+    phase_ratio,
     phase_sum,
     point_pole,
     point_speed,
@@ -179,11 +180,12 @@ def phase_beside(a, b, square, rest, station, whole):
 def phase_before(a, b, square, rest, by):
     """sin²ψ and cos²ψ at a length before a known phase; by: those at the length itself."""
     by_square, by_rest = by
-    delta, by_delta = phase_rate(a, b, square, rest), phase_rate(a, b, by_square, by_rest)
+    share = (b / a) * (b / a)
+    ratio, by_ratio = phase_ratio(share, square, rest), phase_ratio(share, by_square, by_rest)
     fall = square - by_square if square < rest else by_rest - rest
-    over = before_over(a, square, rest, by_delta)
-    sine = before_sine(a, square, rest, delta, by_square, by_rest, by_delta, fall)
-    cosine = before_cosine(a, square, rest, delta, by_square, by_rest, by_delta, over)
+    over = before_over(square, rest, by_ratio)
+    sine = before_sine(square, rest, ratio, by_square, by_rest, by_ratio, fall)
+    cosine = before_cosine(square, rest, ratio, by_square, by_rest, by_ratio, over)
     return sine * sine, cosine * cosine
 
 
