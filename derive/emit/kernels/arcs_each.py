@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/arcs.py: do not edit, change that file.
 
-Digest of the inputs: sha256 e71f1011024ebd5c950243777bc7d305496842468efe5cb601b545ffdcc2d53b
+Digest of the inputs: sha256 a740b1c6b9046d809908fbecbcd9e2163cf8d74d8bcbd3e517e9faad0386c5a5
 """
 
 from __future__ import annotations
@@ -11,10 +11,10 @@ from derive.emit.kernels.arcs import Arc, Heading, Point
 from derive.emit.kernels.arithmetic import epsilon
 from derive.emit.kernels.array_arithmetic import (
     any_of,
-    complex_sqrt,
     each_abs,
     each_arctan_share,
     each_complex_of,
+    each_complex_sqrt,
     each_cos,
     each_pick,
     each_sin,
@@ -154,7 +154,7 @@ def rj_pair_each(x, product, root_sum, p, lift, less, twist):
     target = (epsilon() / 4) ** 0.125
     scale, total = 1, 0
     while any_of(reach > target * scale * each_abs(mean)):
-        root, root_p = each_sqrt(x), complex_sqrt(p)
+        root, root_p = each_sqrt(x), each_complex_sqrt(p)
         side, across = root_p * root_sum, root * root_sum
         plus, minus = lift + side, lift - side
         cancels = (each_abs(plus) < each_abs(minus)) & (scale == 1)
@@ -177,4 +177,4 @@ def rj_pair_each(x, product, root_sum, p, lift, less, twist):
     low = -3 * e2 / 14 + e3 / 6 + 9 * e2 * e2 / 88 - 3 * e4 / 22 - 9 * e2 * e3 / 52 + 3 * e5 / 26
     high = -e2 * e2 * e2 / 16 + 3 * e3 * e3 / 40 + 3 * e2 * e4 / 20 + 45 * e2 * e2 * e3 / 272
     high = high - 9 * (e3 * e4 + e2 * e5) / 68
-    return (1 + low + high) / (scale * mean * complex_sqrt(mean)) + 6 * total
+    return (1 + low + high) / (scale * mean * each_complex_sqrt(mean)) + 6 * total

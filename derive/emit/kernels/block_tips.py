@@ -59,8 +59,8 @@ def bent(group, found, most):
     wanted = flatnonzero(index <= most)
     if wanted.size < index.size:
         found, index = rows(found, wanted), index[wanted]
-    some = rows(group, found.range)
-    rods, motion, phase = some.rods, found.motion, found.phase
+    rods, rank, turns = rows((group.rods, group.rank, group.turns), found.range)
+    motion, phase = found.motion, found.phase
     beta, eta, length = rods.beta, rods.eta, rods.length
     heading = heading_of_each(rods.field_angle, motion)
     y, z, square = departures(rods, heading, found)
@@ -70,9 +70,9 @@ def bent(group, found, most):
     scale, side = rods.scale, rods.side
     return Columns(
         rods.case,
-        side * (some.rank - LAST),
+        side * (rank - LAST),
         side * found.place,
-        side * (motion.tip + 2 * pi * some.turns),
+        side * (motion.tip + 2 * pi * turns),
         -side * found.sign * ldexp(speed, scale),
         ldexp(gamma, 2 * scale),
         ldexp(length * heading.cosine + y, -scale),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from derive.emit.kernels.arcs import (
@@ -73,8 +72,7 @@ class Swing(NamedTuple):
     rest: float
 
 
-@dataclass(frozen=True, slots=True)
-class Equilibrium:
+class Equilibrium(NamedTuple):
     """One equilibrium of a rod.
 
     tip_angle: θ(ℓ), continuous from θ(0) = clamp_angle, not wrapped. clamp_curvature: θ′(0). gamma: constant of
@@ -124,7 +122,7 @@ def in_order(found):
     """The list with tips that are nearer than rounding given as equal, where rounding would exchange them."""
     for k in range(1, len(found)):
         if found[k].tip_angle < found[k - 1].tip_angle:
-            found[k] = replace(found[k], tip_angle=found[k - 1].tip_angle)
+            found[k] = found[k]._replace(tip_angle=found[k - 1].tip_angle)
     return found
 
 

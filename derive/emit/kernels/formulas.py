@@ -3,12 +3,12 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 254a63716ad41f07c9b5b3e4fe648d6a6c421478a543fb0a6d9971ad54e6346b
+Digest of the inputs: sha256 1eee4af5bc62d9256c6b0171dec705785c6c59a9b56fc751c15671b2ba648bc8
 """
 
 from __future__ import annotations
 
-from derive.emit.kernels.arithmetic import sqrt
+from derive.emit.kernels.arithmetic import cos, sin, sqrt
 
 
 def rest_stiffness(beta, eta, cosine, double_cosine):
@@ -78,6 +78,63 @@ def tip_cubic(beta, eta, sine, double_sine):
     Proved as swing.tip_cubic.
     """
     return beta * sine - 0.5 * eta * double_sine
+
+
+def force_balance(beta, eta, gap_sine, lean_half_sine, side_cosine, turn_sine, turn_half_sine):
+    """θ″ at π − p, and at p with the field at λ from the normal of the force, by β − η.
+
+    Equation exsl6; proved as swing.force_balance.
+    """
+    return (
+        gap_sine * (beta - eta)
+        - 2 * eta * (lean_half_sine * side_cosine - turn_sine * turn_half_sine * turn_half_sine)
+    )
+
+
+def force_stiffness(eta, lean, along, across, gap_sine):
+    """−dθ″/dθ at π − p, dθ″/dθ at p, where θ″ vanishes, by cosine and sine of λ + p.
+
+    Proved as swing.force_stiffness.
+    """
+    return eta * (sin(lean) * along * along * along + cos(lean) * across * across * across) / gap_sine
+
+
+def pair_couple(beta, eta, force_sine, lean_half_sine, side_cosine, turn_sine, turn_half_sine):
+    """θ″ at π + λ + x, and at −λ − x with the field at λ from the normal of the force.
+
+    Equation exsl6; proved as swing.pair_couple.
+    """
+    return (
+        force_sine * (eta - beta)
+        - 2 * eta * (lean_half_sine * side_cosine + turn_sine * turn_half_sine * turn_half_sine)
+    )
+
+
+def cusp_couple(beta, eta, couple, stiffness, half_sine, quarter_sine, three_sine, near_sine, far_sine, force_sine):
+    """θ″ at an angle u beside the cusp, by θ″ and dθ″/dθ there.
+
+    Proved as swing.cusp_couple.
+    """
+    return (
+        couple
+        + 2
+        * half_sine
+        * (stiffness + 2 * beta * quarter_sine * force_sine - eta * (quarter_sine * near_sine + three_sine * far_sine))
+    )
+
+
+def pair_stiffness(eta, lean_cosine, cusp_cosine, beside_sine, along, across, force_sine):
+    """dθ″/dθ of the pair, where θ″ vanishes, by the sine of what x is beyond the cusp.
+
+    Proved as swing.pair_stiffness.
+    """
+    return (
+        -eta
+        * lean_cosine
+        * beside_sine
+        * (along * along + along * across + across * across)
+        / (cusp_cosine * cusp_cosine * cusp_cosine * force_sine)
+    )
 
 
 def phase_sum(root_near, root_far, done_sine, left_sine):
