@@ -195,7 +195,7 @@ def _write_gauss(writer: Writer) -> Phase:
         # (dψ/dS)²/(a² cos²ψ + b² sin²ψ) with S = sin²ψ.
         return 1 / (4 * at * (1 - at) * (one**2 * (1 - at) + other**2 * at))
 
-    def keeps(value: Expr, one: Expr = (a + b) / 2, other: Expr = sqrt(a * b)) -> Equal:
+    def keeps(value: Expr, one: Expr, other: Expr) -> Equal:
         at = value.subs(sums).subs({delta: root, rest: 1 - square})
         speed = diff(at, square) ** 2 * squared(at, one, other)
         return Equal(speed, squared(square, a, b))
@@ -206,7 +206,7 @@ def _write_gauss(writer: Writer) -> Phase:
         (square, total, below),
         total**2 * square / below**2,
         "sin²ψ′ of Gauss's step, which keeps the integral: a′ = (a + b)/2, b′ = √(ab); total = a + b, below = a + Δ",
-        keeps,
+        lambda value: keeps(value, (a + b) / 2, sqrt(a * b)),
         PHASE,
         steps=("phase_rate",),
         source=source,
