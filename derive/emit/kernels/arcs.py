@@ -98,7 +98,7 @@ def far_point(motion):
     return Point(b, pole, 0, far_pair_root(motion.end), motion.middle)
 
 
-def turned_back(motion):
+def sent_back(motion):
     """The motion from its far turning point back to the tip, as the mirror at the y axis shows it."""
     return motion._replace(
         tip=-(motion.tip + 2 * motion.half_width),

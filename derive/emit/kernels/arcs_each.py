@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/arcs.py: do not edit, change that file.
 
-Digest of the inputs: sha256 a740b1c6b9046d809908fbecbcd9e2163cf8d74d8bcbd3e517e9faad0386c5a5
+Digest of the inputs: sha256 de80c88d1c47aee91e4f10f1356a573f3d61a56f6bb6ce1b06f324dafdd97ce9
 """
 
 from __future__ import annotations
@@ -69,7 +69,7 @@ def far_point_each(motion):
     return Point(b, pole, 0, far_pair_root_each(motion.end), motion.middle)
 
 
-def turned_back_each(motion):
+def sent_back_each(motion):
     """The motion from its far turning point back to the tip, as the mirror at the y axis shows it."""
     return motion._replace(
         tip=-(motion.tip + 2 * motion.half_width),

@@ -13,7 +13,7 @@ from derive.emit.kernels.arcs_each import (
     far_point_each,
     heading_of_each,
     phase_from_far_each,
-    turned_back_each,
+    sent_back_each,
 )
 from derive.emit.kernels.arithmetic import pi
 from derive.emit.kernels.block_records import rows
@@ -110,7 +110,7 @@ def first_stretches(rods, heading, found):
 
 def last_stretches(rods, heading, found):
     """The arcs from the last turning point to the clamp, of rods that end on their way back."""
-    back, extent = turned_back_each(found.motion), found.swing - found.arrival
+    back, extent = sent_back_each(found.motion), found.swing - found.arrival
     there = heading_of_each(-rods.field_angle, back)
     square, rest = phase_from_far_each(found.motion, found.phase.square, found.phase.rest)
     point = clamp_point_each(back, found.phase._replace(square=square, rest=rest))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arcs import Arc, Point, arc_from_far, arc_to, heading_of, phase_from_far, turned_back
+from derive.emit.kernels.arcs import Arc, Point, arc_from_far, arc_to, heading_of, phase_from_far, sent_back
 from derive.emit.kernels.arithmetic import atan2, cos, epsilon, floor, ldexp, pick, plus_quarters, sin, sqrt
 from derive.emit.kernels.formulas import (
     before_cosine,
@@ -147,7 +147,7 @@ def way_back(rod, heading, motion, square, rest, extent, position):
     """Half the angle and the arc from the far turning point to a point at ψ, on the way back."""
     if extent == 0:
         return 0 * extent, Arc(0, 0, 0)
-    back = turned_back(motion)
+    back = sent_back(motion)
     square, rest = phase_from_far(motion, square, rest)
     point, half, _ = point_at(back, square, rest)
     if not position:
