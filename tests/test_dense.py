@@ -45,7 +45,7 @@ def allowed(equilibrium, s):
     """Roundings of θ, θ′, y and z: each way has those of its values and of s, which θ and θ′ follow."""
     rod, length = equilibrium.rod, np.ldexp(equilibrium.rod.length, -equilibrium.rod.scale)
     rate = np.ldexp(1.5, rod.scale)
-    angle = 8 * max(1.0, abs(equilibrium.tip_angle)) + 6 * rate * s
+    angle = 8 * max(1.0, abs(equilibrium.tip_angle), abs(rod.clamp_angle)) + 6 * rate * s
     return [ULP * part for part in (angle, angle * rate, 6 * length, 6 * length)]
 
 
