@@ -222,24 +222,24 @@ def _write_gauss(writer: Writer) -> Phase:
         steps=("gauss_square",),
         source=source,
     )
-    far_square = writer.add(
-        "far_square",
+    far_sine = writer.add(
+        "far_sine",
         (first, rest, delta),
-        a**2 * rest / delta**2,
-        "sin²ψ of the same point by the length from the far turning point",
-        lambda value: keeps(value, a, b),
+        a * sqrt(rest) / delta,
+        "sin ψ of the same point by the length from the far turning point",
+        lambda value: keeps(value**2, a, b),
         PHASE,
         steps=("phase_rate",),
         source="DLMF 22.4(iii)",
     )
     writer.add(
-        "far_rest",
+        "far_cosine",
         (second, square, delta),
-        b**2 * square / delta**2,
-        "cos²ψ of the same point by the length from the far turning point",
-        lambda value: Equal((value + far_square).subs({delta: root, rest: 1 - square}), 1),
+        b * sqrt(square) / delta,
+        "cos ψ of the same point by the length from the far turning point",
+        lambda value: Equal((value**2 + far_sine**2).subs({delta: root, rest: 1 - square}), 1),
         PHASE,
-        steps=("far_square",),
+        steps=("far_sine",),
         source="DLMF 22.4(iii)",
     )
     return Phase(delta_there, new_square.subs(sums), new_rest.subs(sums))

@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 1eee4af5bc62d9256c6b0171dec705785c6c59a9b56fc751c15671b2ba648bc8
+Digest of the inputs: sha256 8237e633f96b6b912010997153f1cf91ffa4f8387cfd2aa8e3bcabbf6d73c30f
 """
 
 from __future__ import annotations
@@ -223,20 +223,20 @@ def gauss_rest(first, second, square, rest, delta, below):
     )
 
 
-def far_square(first, rest, delta):
-    """sin²ψ of the same point by the length from the far turning point.
+def far_sine(first, rest, delta):
+    """sin ψ of the same point by the length from the far turning point.
 
-    Equation DLMF 22.4(iii); proved as swing.far_square.
+    Equation DLMF 22.4(iii); proved as swing.far_sine.
     """
-    return rest * first * first / (delta * delta)
+    return first * sqrt(rest) / delta
 
 
-def far_rest(second, square, delta):
-    """cos²ψ of the same point by the length from the far turning point.
+def far_cosine(second, square, delta):
+    """cos ψ of the same point by the length from the far turning point.
 
-    Equation DLMF 22.4(iii); proved as swing.far_rest.
+    Equation DLMF 22.4(iii); proved as swing.far_cosine.
     """
-    return square * second * second / (delta * delta)
+    return second * sqrt(square) / delta
 
 
 def second_kind_step(total, gap, below, square, rest, arc):
