@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 
 import mpmath as mp
@@ -10,10 +11,12 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from derive.emit.kernels import arithmetic
 from derive.emit.kernels.agm import half_period
 from derive.emit.kernels.api import equilibria, shape, sweep
 from derive.emit.kernels.arcs import rj_pair
 from derive.emit.kernels.arithmetic_mpmath import arctan_share
+from derive.emit.kernels.array_arithmetic import each_arctan_share
 from derive.emit.kernels.carlson import rf
 from derive.emit.kernels.roots import bracketed_root
 from derive.emit.kernels.swing import lengths, phase_at
@@ -77,6 +80,17 @@ def test_the_twin_s_arctangent_keeps_all_digits(exponent, phase, digits):
         found = arctan_share(z, 1 + z)
     with mp.workdps(digits + 200):
         assert abs(found / wanted - 1) < mp.mpf(10) ** (2 - digits)
+
+
+@given(st.floats(-12, 3), st.floats(-3, 3))
+def test_the_arctangent_of_numbers_keeps_its_digits(exponent, phase):
+    """A logarithm of a number near 1 lost forty roundings of it."""
+    z = 10.0**exponent * cmath.exp(1j * phase)
+    with mp.workdps(40):
+        root, end = mp.sqrt(mp.mpc(z)), complex(1 + mp.mpc(z))
+        wanted = mp.atan(root) / root
+        for found in (arithmetic.arctan_share(z, end), each_arctan_share(np.array([z]), np.array([end]))[0]):
+            assert abs(mp.mpc(found) / wanted - 1) < 6 * ULP
 
 
 @given(st.floats(-14, 0))

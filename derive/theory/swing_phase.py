@@ -195,9 +195,9 @@ def _write_gauss(writer: Writer) -> Phase:
         # (dψ/dS)²/(a² cos²ψ + b² sin²ψ) with S = sin²ψ.
         return 1 / (4 * at * (1 - at) * (one**2 * (1 - at) + other**2 * at))
 
-    def keeps(value: Expr) -> Equal:
+    def keeps(value: Expr, one: Expr, other: Expr) -> Equal:
         at = value.subs(sums).subs({delta: root, rest: 1 - square})
-        speed = diff(at, square) ** 2 * squared(at, (a + b) / 2, sqrt(a * b))
+        speed = diff(at, square) ** 2 * squared(at, one, other)
         return Equal(speed, squared(square, a, b))
 
     sums = {total: a + b, below: a + delta}
@@ -206,7 +206,7 @@ def _write_gauss(writer: Writer) -> Phase:
         (square, total, below),
         total**2 * square / below**2,
         "sin²ψ′ of Gauss's step, which keeps the integral: a′ = (a + b)/2, b′ = √(ab); total = a + b, below = a + Δ",
-        keeps,
+        lambda value: keeps(value, (a + b) / 2, sqrt(a * b)),
         PHASE,
         steps=("phase_rate",),
         source=source,
@@ -222,24 +222,24 @@ def _write_gauss(writer: Writer) -> Phase:
         steps=("gauss_square",),
         source=source,
     )
-    far_square = writer.add(
-        "far_square",
+    far_sine = writer.add(
+        "far_sine",
         (first, rest, delta),
-        a**2 * rest / delta**2,
-        "sin²ψ of the same point by the length from the far turning point",
-        keeps,
+        a * sqrt(rest) / delta,
+        "sin ψ of the same point by the length from the far turning point",
+        lambda value: keeps(value**2, a, b),
         PHASE,
         steps=("phase_rate",),
         source="DLMF 22.4(iii)",
     )
     writer.add(
-        "far_rest",
+        "far_cosine",
         (second, square, delta),
-        b**2 * square / delta**2,
-        "cos²ψ of the same point by the length from the far turning point",
-        lambda value: Equal((value + far_square).subs({delta: root, rest: 1 - square}), 1),
+        b * sqrt(square) / delta,
+        "cos ψ of the same point by the length from the far turning point",
+        lambda value: Equal((value**2 + far_sine**2).subs({delta: root, rest: 1 - square}), 1),
         PHASE,
-        steps=("far_square",),
+        steps=("far_sine",),
         source="DLMF 22.4(iii)",
     )
     return Phase(delta_there, new_square.subs(sums), new_rest.subs(sums))
@@ -302,6 +302,14 @@ def _write_back(step: Phase, writer: Writer) -> None:
             "cos²ψ by cos²ψ′, with gap = a − b",
             1 - square,
             ("back_below_rest",),
+        ),
+        (
+            "back_move",
+            (a, step_gap, square, rest, below),
+            square * rest * step_gap * (2 * a + below) / below**2,
+            "by how much sin²ψ is more than sin²ψ′, with gap = a − b",
+            square - step.square,
+            ("back_square",),
         ),
     ):
         writer.add(

@@ -22,10 +22,10 @@ from derive.emit.kernels.formulas import (
     arc_square,
     arc_y,
     arc_z,
+    far_cosine,
     far_pair_root,
-    far_rest,
     far_root,
-    far_square,
+    far_sine,
     others_product,
     others_sum,
     pair_lift,
@@ -98,8 +98,11 @@ def far_point(motion):
     return Point(b, pole, 0, far_pair_root(motion.end), motion.middle)
 
 
-def turned_back(motion):
-    """The motion from its far turning point back to the tip, as the mirror at the y axis shows it."""
+def sent_back(motion):
+    """The motion from its far turning point back to the tip, as the mirror at the y axis shows it.
+
+    A clamp at the turning point itself, where the motion has no point by ℘, is a little before it.
+    """
     return motion._replace(
         tip=-(motion.tip + 2 * motion.half_width),
         done=motion.left,
@@ -109,7 +112,7 @@ def turned_back(motion):
         near=motion.far,
         far=motion.near,
         uneven=-motion.uneven,
-        done_sine=motion.left_sine,
+        done_sine=larger(motion.left_sine, epsilon() ** 6),
         left_sine=motion.done_sine,
     )
 
@@ -117,8 +120,10 @@ def turned_back(motion):
 def phase_from_far(motion, square, rest):
     """sin²ψ and cos²ψ of a point as the motion turned back has them."""
     first, second = motion.end / 2, motion.middle / 2
-    delta = phase_rate(first, second, square, rest)
-    return far_square(first, rest, delta), far_rest(second, square, delta)
+    # The square of b may underflow.
+    delta = larger(phase_rate(first, second, square, rest), second * sqrt(square))
+    sine, cosine = far_sine(first, rest, delta), far_cosine(second, square, delta)
+    return larger(sine * sine, epsilon() ** 12), cosine * cosine
 
 
 def arc_from_far(eta, heading, there, arc, extent):

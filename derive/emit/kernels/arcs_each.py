@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/arcs.py: do not edit, change that file.
 
-Digest of the inputs: sha256 a740b1c6b9046d809908fbecbcd9e2163cf8d74d8bcbd3e517e9faad0386c5a5
+Digest of the inputs: sha256 f0bbb8f0347c34e5538f5534a6d09d724fda7d8e953602954b81dbe157cea33e
 """
 
 from __future__ import annotations
@@ -27,10 +27,10 @@ from derive.emit.kernels.formulas_each import (
     arc_square_each,
     arc_y_each,
     arc_z_each,
+    far_cosine_each,
     far_pair_root_each,
-    far_rest_each,
     far_root_each,
-    far_square_each,
+    far_sine_each,
     others_product_each,
     others_sum_each,
     pair_lift_each,
@@ -69,8 +69,11 @@ def far_point_each(motion):
     return Point(b, pole, 0, far_pair_root_each(motion.end), motion.middle)
 
 
-def turned_back_each(motion):
-    """The motion from its far turning point back to the tip, as the mirror at the y axis shows it."""
+def sent_back_each(motion):
+    """The motion from its far turning point back to the tip, as the mirror at the y axis shows it.
+
+    A clamp at the turning point itself, where the motion has no point by ℘, is a little before it.
+    """
     return motion._replace(
         tip=-(motion.tip + 2 * motion.half_width),
         done=motion.left,
@@ -80,7 +83,7 @@ def turned_back_each(motion):
         near=motion.far,
         far=motion.near,
         uneven=-motion.uneven,
-        done_sine=motion.left_sine,
+        done_sine=larger(motion.left_sine, epsilon() ** 6),
         left_sine=motion.done_sine,
     )
 
@@ -88,8 +91,10 @@ def turned_back_each(motion):
 def phase_from_far_each(motion, square, rest):
     """sin²ψ and cos²ψ of a point as the motion turned back has them."""
     first, second = motion.end / 2, motion.middle / 2
-    delta = phase_rate_each(first, second, square, rest)
-    return far_square_each(first, rest, delta), far_rest_each(second, square, delta)
+    # The square of b may underflow.
+    delta = larger(phase_rate_each(first, second, square, rest), second * each_sqrt(square))
+    sine, cosine = far_sine_each(first, rest, delta), far_cosine_each(second, square, delta)
+    return larger(sine * sine, epsilon() ** 12), cosine * cosine
 
 
 def arc_from_far_each(eta, heading, there, arc, extent):

@@ -10,7 +10,7 @@ from numpy import arcsin as each_asin
 from numpy import arcsinh as each_asinh
 from numpy import arctan as each_atan
 from numpy import arctan2 as each_atan2
-from numpy import copysign, cos, empty, finfo, float32, ndarray, sin, tan
+from numpy import arctanh, copysign, cos, empty, finfo, float32, ndarray, sin, tan
 from numpy import exp as each_exp
 from numpy import floor as each_floor
 from numpy import imag as each_imag
@@ -25,7 +25,6 @@ from numpy import where as each_where
 
 __all__ = [
     "any_of",
-    "each_complex_sqrt",
     "each_abs",
     "each_acos",
     "each_acosh",
@@ -36,6 +35,7 @@ __all__ = [
     "each_atan2",
     "each_complex_log",
     "each_complex_of",
+    "each_complex_sqrt",
     "each_cos",
     "each_exp",
     "each_floor",
@@ -137,8 +137,11 @@ def each_complex_log(z):
 def each_arctan_share(z, end):
     """R_C(1, end) for complex end = 1 + z: arctan(√z)/√z, by its series where z is small (DLMF 19.2.18)."""
     share = 1 - z * (1 / 3 - z * (1 / 5 - z * (1 / 7 - z * (1 / 9 - z / 11))))
-    far = each_abs(z) >= 1e-3
+    size = each_abs(z)
+    far = size >= 1e-3
     if any_of(far):
-        root = each_complex_sqrt(-z[far])
-        share[far] = each_complex_log((1 + root) * (1 + root) / end[far]) / (2 * root)
+        # The logarithm is of a number near 1 unless z is large, and then its last digits are few.
+        root, small = each_complex_sqrt(-z[far]), size[far] < 0.5
+        large = each_complex_log((1 + root) * (1 + root) / end[far]) / 2
+        share[far] = each_where(small, arctanh(each_where(small, root, 0)), large) / root
     return share

@@ -13,7 +13,7 @@ from derive.emit.kernels.arcs_each import (
     far_point_each,
     heading_of_each,
     phase_from_far_each,
-    turned_back_each,
+    sent_back_each,
 )
 from derive.emit.kernels.arithmetic import pi
 from derive.emit.kernels.block_records import rows
@@ -93,7 +93,7 @@ def departures(rods, heading, found):
         whole = arc_to_each(some.beta, some.eta, there, motion, far_point_each(motion), one, none, swing)
         for column, change in zip(columns, whole, strict=True):
             column[swung] = times * change
-    for which, stretch in ((found.sign > 0, first_stretch), (found.sign < 0, last_stretch)):
+    for which, stretch in ((found.sign > 0, first_stretches), (found.sign < 0, last_stretches)):
         some = flatnonzero(which)
         if some.size:
             for column, change in zip(columns, stretch(*rows((rods, heading, found), some)), strict=True):
@@ -101,16 +101,16 @@ def departures(rods, heading, found):
     return columns
 
 
-def first_stretch(rods, heading, found):
+def first_stretches(rods, heading, found):
     """The arcs from the tip, or from where the motion is as there, to the clamp."""
     motion, phase = found.motion, found.phase
     point = clamp_point_each(motion, phase)
     return arc_to_each(rods.beta, rods.eta, heading, motion, point, phase.square, phase.rest, found.arrival)
 
 
-def last_stretch(rods, heading, found):
+def last_stretches(rods, heading, found):
     """The arcs from the last turning point to the clamp, of rods that end on their way back."""
-    back, extent = turned_back_each(found.motion), found.swing - found.arrival
+    back, extent = sent_back_each(found.motion), found.swing - found.arrival
     there = heading_of_each(-rods.field_angle, back)
     square, rest = phase_from_far_each(found.motion, found.phase.square, found.phase.rest)
     point = clamp_point_each(back, found.phase._replace(square=square, rest=rest))

@@ -13,7 +13,7 @@ from derive.emit.kernels.arcs import (
     far_point,
     heading_of,
     phase_from_far,
-    turned_back,
+    sent_back,
 )
 from derive.emit.kernels.arithmetic import (
     cos,
@@ -222,7 +222,7 @@ def bent_rod(rod, turns, piece, crossing, index):
 
 def last_stretch(rod, heading, motion, phase, extent):
     """The arc from the last turning point to the clamp, of a rod that ends on its way back; extent: its length."""
-    back = turned_back(motion)
+    back = sent_back(motion)
     there, (square, rest) = heading_of(-rod.field_angle, back), phase_from_far(motion, phase.square, phase.rest)
     point = clamp_point(back, phase._replace(square=square, rest=rest))
     arc = arc_to(rod.beta, rod.eta, there, back, point, square, rest, extent)

@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 2358b73640e08b5c34db0208f4d4dea45ddc45f8dd2430c3e93bf85620d3de75
+Digest of the inputs: sha256 8237e633f96b6b912010997153f1cf91ffa4f8387cfd2aa8e3bcabbf6d73c30f
 """
 
 from __future__ import annotations
@@ -223,20 +223,20 @@ def gauss_rest(first, second, square, rest, delta, below):
     )
 
 
-def far_square(first, rest, delta):
-    """sin²ψ of the same point by the length from the far turning point.
+def far_sine(first, rest, delta):
+    """sin ψ of the same point by the length from the far turning point.
 
-    Equation DLMF 22.4(iii); proved as swing.far_square.
+    Equation DLMF 22.4(iii); proved as swing.far_sine.
     """
-    return rest * first * first / (delta * delta)
+    return first * sqrt(rest) / delta
 
 
-def far_rest(second, square, delta):
-    """cos²ψ of the same point by the length from the far turning point.
+def far_cosine(second, square, delta):
+    """cos ψ of the same point by the length from the far turning point.
 
-    Equation DLMF 22.4(iii); proved as swing.far_rest.
+    Equation DLMF 22.4(iii); proved as swing.far_cosine.
     """
-    return square * second * second / (delta * delta)
+    return second * sqrt(square) / delta
 
 
 def second_kind_step(total, gap, below, square, rest, arc):
@@ -287,28 +287,44 @@ def back_rest(first, second, gap, rest, below):
     return rest * (4 * first * second + rest * gap * gap) / (below * below)
 
 
-def before_over(first, square, rest, by_delta):
-    """What the cosine of a difference of lengths is divided by; by_delta is Δ at the length taken off.
+def back_move(first, gap, square, rest, below):
+    """by how much sin²ψ is more than sin²ψ′, with gap = a − b: Gauss's step undone.
+
+    Equation DLMF 19.8(iii); proved as swing.back_move.
+    """
+    return gap * square * rest * (below + 2 * first) / (below * below)
+
+
+def phase_ratio(share, square, rest):
+    """Δ/a by share = (b/a)².
+
+    Equation DLMF 19.2.4; proved as swing.phase_ratio.
+    """
+    return sqrt(rest + share * square)
+
+
+def before_over(square, rest, by_ratio):
+    """What the cosine of a difference of lengths is divided by; by_ratio is Δ/a at the length taken off.
 
     Equation DLMF 22.8(i); proved as swing.before_over.
     """
-    return square * by_delta / first + first * rest / by_delta
+    return rest + square * by_ratio * by_ratio
 
 
-def before_cosine(first, square, rest, delta, by_square, by_rest, by_delta, over):
+def before_cosine(square, rest, ratio, by_square, by_rest, by_ratio, over):
     """cos ψ at the difference of two lengths from the tip.
 
     Equation DLMF 22.8(i); proved as swing.before_cosine.
     """
-    return (delta * sqrt(square * by_square) / first + first * sqrt(rest * by_rest) / by_delta) / over
+    return (ratio * by_ratio * sqrt(square * by_square) + sqrt(rest * by_rest)) / over
 
 
-def before_sine(first, square, rest, delta, by_square, by_rest, by_delta, fall):
+def before_sine(square, rest, ratio, by_square, by_rest, by_ratio, fall):
     """sin ψ at the difference of two lengths from the tip, by the difference of their sin²ψ.
 
     Equation DLMF 22.8(i); proved as swing.before_sine.
     """
-    return first * fall / ((sqrt(square * by_rest) + delta * sqrt(rest * by_square) / by_delta) * by_delta)
+    return fall / (by_ratio * sqrt(square * by_rest) + ratio * sqrt(rest * by_square))
 
 
 def strength(moment_there):

@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 09d0957c982e67f9d6cb5482dd3bbc7c719c8926cb51fe47928d056cd7562136
+Digest of the inputs: sha256 97a82846ba4c9f40ddc4f89dc390828121cf1b1ce085860c871f1b6beefce85c
 """
 
 from __future__ import annotations
@@ -225,20 +225,20 @@ def gauss_rest_each(first, second, square, rest, delta, below):
     )
 
 
-def far_square_each(first, rest, delta):
-    """sin²ψ of the same point by the length from the far turning point.
+def far_sine_each(first, rest, delta):
+    """sin ψ of the same point by the length from the far turning point.
 
-    Equation DLMF 22.4(iii); proved as swing.far_square.
+    Equation DLMF 22.4(iii); proved as swing.far_sine.
     """
-    return rest * first * first / (delta * delta)
+    return first * each_sqrt(rest) / delta
 
 
-def far_rest_each(second, square, delta):
-    """cos²ψ of the same point by the length from the far turning point.
+def far_cosine_each(second, square, delta):
+    """cos ψ of the same point by the length from the far turning point.
 
-    Equation DLMF 22.4(iii); proved as swing.far_rest.
+    Equation DLMF 22.4(iii); proved as swing.far_cosine.
     """
-    return square * second * second / (delta * delta)
+    return second * each_sqrt(square) / delta
 
 
 def second_kind_step_each(total, gap, below, square, rest, arc):
@@ -287,6 +287,14 @@ def back_rest_each(first, second, gap, rest, below):
     Equation DLMF 19.8(iii); proved as swing.back_rest.
     """
     return rest * (4 * first * second + rest * gap * gap) / (below * below)
+
+
+def back_move_each(first, gap, square, rest, below):
+    """by how much sin²ψ is more than sin²ψ′, with gap = a − b: Gauss's step undone.
+
+    Equation DLMF 19.8(iii); proved as swing.back_move.
+    """
+    return gap * square * rest * (below + 2 * first) / (below * below)
 
 
 def strength_each(moment_there):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arcs import Arc, Point, arc_from_far, arc_to, heading_of, phase_from_far, turned_back
+from derive.emit.kernels.arcs import Arc, Point, arc_from_far, arc_to, heading_of, phase_from_far, sent_back
 from derive.emit.kernels.arithmetic import atan2, cos, epsilon, floor, ldexp, pick, plus_quarters, sin, sqrt
 from derive.emit.kernels.formulas import (
     before_cosine,
@@ -19,6 +19,7 @@ from derive.emit.kernels.formulas import (
     pair_root,
     pair_root_sum,
     phase_rate,
+    phase_ratio,
     phase_sum,
     point_pole,
     point_speed,
@@ -58,12 +59,11 @@ def angle_and_position(equilibrium, s, position=True):
         return angle, bend * (left / length), equilibrium.y * share, equilibrium.z * share
     station = station_of(rod, swing, ldexp(s, rod.scale))
     sign = -1 if station.whole % 2 == 1 else 1
-    angle, speed, arc = on_swing(rod, swing, station, position)
+    theta, speed, arc = on_swing(rod, swing, station, position)
     # Along the tip's direction the rod is as long as it is; only what it departs by from that has been computed.
     y = s * swing.heading.cosine + ldexp(swing.total.y - station.whole * swing.arc.y - arc.y, -rod.scale)
     z = s * swing.heading.sine + ldexp(swing.total.z - station.whole * swing.arc.z - arc.z, -rod.scale)
-    theta, curvature = plus_quarters(angle, 4 * swing.turns), -sign * ldexp(speed, rod.scale)
-    return rod.side * theta, rod.side * curvature, y, rod.side * z
+    return rod.side * theta, -rod.side * sign * ldexp(speed, rod.scale), y, rod.side * z
 
 
 def station_of(rod, swing, s):
@@ -98,12 +98,12 @@ def on_swing(rod, swing, station, position):
     first, left, behind, _ = parts(station.from_far, stay.far, regular, stay.middle)
     if station.whole % 2 == 1:
         middle, far = behind, first
-    angle, speed, arc = regular_part(rod, swing, station, here, left, position)
+    theta, speed, arc = regular_part(rod, swing, station, here, left, position)
     for straight, extent in ((swing.middle_angle, middle), (swing.far_angle, far)):
         if extent > 0:
             turned_y, turned_z = cos(straight) - swing.heading.cosine, sin(straight) - swing.heading.sine
             arc = Arc(arc.y + extent * turned_y, arc.z + extent * turned_z, arc.square)
-    return angle, speed, arc
+    return theta, speed, arc
 
 
 def parts(length, stay, regular, middle_stay):
@@ -121,35 +121,40 @@ def parts(length, stay, regular, middle_stay):
 
 def regular_part(rod, swing, station, here, left, position):
     """θ, dθ/dσ and the arc by the motion alone, at its lengths from the tip and from the far turning point."""
-    motion, back = swing.stay.motion, station.whole % 2 == 1
+    motion, back, arc = swing.stay.motion, station.whole % 2 == 1, Arc(0, 0, 0)
     if here <= epsilon() * left:  # where the square of the phase may underflow
-        arc = arc_back(rod, swing.heading, motion, 0, 1, left) if back else Arc(0, 0, 0)
-        return motion.tip, 0 * here, arc
+        if back and position:
+            _, arc = way_back(rod, swing.heading, motion, 0, 1, left, position)
+        return plus_quarters(motion.tip, 4 * swing.turns), 0 * here, arc
     a, b = motion.end / 2, motion.middle / 2
     if next_to_clamp(swing, station, here, left):
         square, rest = phase_beside(a, b, swing.square, swing.rest, station, here + left)
     else:
         square, rest = phase_at(a, b, here, left)
     point, half, low = point_at(motion, square, rest)
-    speed = point_speed(point.strength, low, point.one, point.product)
-    if not position:
-        arc = Arc(0, 0, 0)
-    elif back:
-        arc = arc_back(rod, swing.heading, motion, square, rest, left)
-    else:
+    theta, speed = motion.tip + 2 * half, point_speed(point.strength, low, point.one, point.product)
+    theta = plus_quarters(theta, 4 * swing.turns)
+    if back or left < here:
+        behind, arc = way_back(rod, swing.heading, motion, square, rest, left, position and back)
+        # The clamp angle is exact, and the turning point is told from there.
+        theta = rod.clamp_angle + (motion.left - 2 * behind) if left < here else theta
+    if position and not back:
         arc = arc_to(rod.beta, rod.eta, swing.heading, motion, point, square, rest, here)
-    return motion.tip + 2 * half, speed, arc
+    return theta, speed, arc
 
 
-def arc_back(rod, heading, motion, square, rest, extent):
-    """The arc from the far turning point to a point at ψ, on the way back."""
+def way_back(rod, heading, motion, square, rest, extent, position):
+    """Half the angle and the arc from the far turning point to a point at ψ, on the way back."""
     if extent == 0:
-        return Arc(0, 0, 0)
-    back = turned_back(motion)
-    there, (square, rest) = heading_of(-rod.field_angle, back), phase_from_far(motion, square, rest)
-    point, _, _ = point_at(back, square, rest)
+        return 0 * extent, Arc(0, 0, 0)
+    back = sent_back(motion)
+    square, rest = phase_from_far(motion, square, rest)
+    point, half, _ = point_at(back, square, rest)
+    if not position:
+        return half, Arc(0, 0, 0)
+    there = heading_of(-rod.field_angle, back)
     arc = arc_to(rod.beta, rod.eta, there, back, point, square, rest, extent)
-    return arc_from_far(rod.eta, heading, there, arc, extent)
+    return half, arc_from_far(rod.eta, heading, there, arc, extent)
 
 
 def next_to_clamp(swing, station, here, left):
@@ -175,11 +180,12 @@ def phase_beside(a, b, square, rest, station, whole):
 def phase_before(a, b, square, rest, by):
     """sin²ψ and cos²ψ at a length before a known phase; by: those at the length itself."""
     by_square, by_rest = by
-    delta, by_delta = phase_rate(a, b, square, rest), phase_rate(a, b, by_square, by_rest)
+    share = (b / a) * (b / a)
+    ratio, by_ratio = phase_ratio(share, square, rest), phase_ratio(share, by_square, by_rest)
     fall = square - by_square if square < rest else by_rest - rest
-    over = before_over(a, square, rest, by_delta)
-    sine = before_sine(a, square, rest, delta, by_square, by_rest, by_delta, fall)
-    cosine = before_cosine(a, square, rest, delta, by_square, by_rest, by_delta, over)
+    over = before_over(square, rest, by_ratio)
+    sine = before_sine(square, rest, ratio, by_square, by_rest, by_ratio, fall)
+    cosine = before_cosine(square, rest, ratio, by_square, by_rest, by_ratio, over)
     return sine * sine, cosine * cosine
 
 
