@@ -1,7 +1,7 @@
-"""Write what `derive measure` found into the README, between its markers `measure`.
+"""Write what `derive measure` found into the README and into docs/measure.md, between their markers.
 
 derive measure --out measurements
-python examples/measure_table.py measurements/measure.json [README.md]
+python examples/measure_table.py measurements/measure.json [README.md docs/measure.md]
 """
 
 from __future__ import annotations
@@ -12,13 +12,15 @@ from pathlib import Path
 
 from verdict_tables import replace
 
+from derive.measure.bench import ratios
 from derive.measure.bench.tables import readme_rows
 
-README = Path(__file__).resolve().parent.parent / "README.md"
+ROOT = Path(__file__).resolve().parent.parent
+README, GUIDE = ROOT / "README.md", ROOT / "docs" / "measure.md"
 
 
-def main(source: Path, readme: Path = README) -> str:
-    """The table, written; what is wrong as one line, if something is."""
+def main(source: Path, readme: Path = README, guide: Path = GUIDE) -> str:
+    """The tables, written; what is wrong as one line, if something is."""
     try:
         found = json.loads(source.read_text(encoding="utf-8"))
         records, mode = found["records"]["tasks"], found["about"]["mode"]
@@ -27,14 +29,17 @@ def main(source: Path, readme: Path = README) -> str:
     lines, missing = readme_rows(records)
     if mode != "full" or missing:
         return f"{source}: lacks {', '.join(missing) or 'a full run'}; run `derive measure` without --quick and --only"
-    text = readme.read_text(encoding="utf-8")
-    if "<!-- measure -->" not in text or "<!-- end measure -->" not in text:
-        return f"{readme}: has no lines <!-- measure --> and <!-- end measure --> to put the table between"
-    readme.write_text(replace(text, "measure", lines), encoding="utf-8")
+    pages = ((readme, "measure", lines), (guide, "ratios", ratios.table(records)))
+    for page, name, _ in pages:
+        text = page.read_text(encoding="utf-8")
+        if f"<!-- {name} -->" not in text or f"<!-- end {name} -->" not in text:
+            return f"{page}: has no lines <!-- {name} --> and <!-- end {name} --> to put the table between"
+    for page, name, rows in pages:
+        page.write_text(replace(page.read_text(encoding="utf-8"), name, rows), encoding="utf-8")
     return ""
 
 
 if __name__ == "__main__":
-    if not 2 <= len(sys.argv) <= 3:
+    if len(sys.argv) not in (2, 4):
         sys.exit(__doc__)
     sys.exit(main(*map(Path, sys.argv[1:])) or 0)

@@ -143,6 +143,13 @@ ATLAS = (
     (0.8, 0.2, 6.0, 3.1415926535897927, 0.0, "the clamp one rounding off the hill"),
     (0.35, 0.5340101894795135, 7.0, 2.0, GENERIC, "1e-14 of η from a fold"),
     (14.4, 21.6, 1.0, -1.3463968515384828, -0.2243994752564138, "the worst of all directions of clamp and field"),
+    (14.4, 21.6, 1.0, 1.8849555921538759, pi / 2, "the field across the force: places of rods that turn back"),
+    (14.4, 21.6, 1.0, -1.8849555921538759, 0.9424777960769379, "places of rods that turn back"),
+    (0.35, 0.7095286540009907, 7.0, 2.0, GENERIC, "beside a fold of an inclined field"),
+    (0.35, 0.48060917053156693, 7.0, 2.0, GENERIC, "a tenth of η before a fold of an inclined field"),
+    (0.6, 0.0, 6.0, 3.6610231870869936, 0.0, "the energy of a rod in a force alone"),
+    (0.046415888336127725, 1e4, 1.0, 3 * pi / 4, GENERIC, "the energy of a long rod"),
+    (1e4, 2.1544346900318822e-07, 1.0, 3 * pi / 4, 0.0, "the energy of a long rod"),
 )
 
 

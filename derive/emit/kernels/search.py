@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import ceil, deepest, epsilon, floor, pi, sqrt
 from derive.emit.kernels.motion import Motion, motion_at
+from derive.emit.kernels.pieces import turn_to
 from derive.emit.kernels.roots import bracketed_root, dip
 from derive.emit.kernels.sampling import samples_on
 from derive.emit.kernels.swing import Phase, lengths, phase_of
@@ -89,7 +90,7 @@ def slowness(hill):
 def ridge_offset(piece):
     """Clamp less ridge, for a motion that passes the ridge."""
     ridge, rest = piece.basin.axis, piece.clamp_rest
-    return piece.clamp_offset if rest.angle == ridge.angle else rest.angle - ridge.angle
+    return piece.clamp_offset if rest.angle == ridge.angle else turn_to(ridge, rest)
 
 
 def stay_at(beta, eta, field_angle, piece, ends, place):
