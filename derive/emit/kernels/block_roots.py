@@ -13,6 +13,7 @@ from derive.emit.kernels.motion_each import motion_at_each
 from derive.emit.kernels.swing_each import lengths_each, phase_of_each
 
 STEPS = 3  # rough steps, after which most places are right to single precision
+TOLD = 1e-10  # change of a place from which the change of a length tells the slope
 SECANTS = 2  # evaluations before any place is looked at for being right to rounding: next to none is
 SPREAD = 2.0**-9  # distance of two places from which they tell the slope of a branch in single precision
 
@@ -130,7 +131,8 @@ def polished(some, brackets, place, slope, secants):
         now = surplus(swing, arrival, branch.turns, branch.sign, extent)
         if turn:
             change = at - before[todo]
-            slope[todo] = where(change == 0, slope[todo], (now - value[todo]) / where(change == 0, 1, change))
+            told = abs(change) > TOLD * (1 + abs(at))
+            slope[todo] = where(told, (now - value[todo]) / where(told, change, 1), slope[todo])
         step = now / slope[todo]
         if turn >= secants:
             close = (abs(step) <= 4 * epsilon() * (1 + abs(at))) | (abs(now) <= 4 * epsilon() * extent)

@@ -38,8 +38,8 @@ from derive.emit.kernels.array_arithmetic import each_atan2, each_cos, each_sin
 from derive.emit.kernels.block_records import rounded_to, rows
 from derive.emit.kernels.block_roots import Brackets, approached
 
-SHOTS = 512  # rods at once
-EVEN = 0.7  # step between tips, over the steepest slope
+SHOTS = 384  # rods at once
+EVEN = 1.4  # step between tips, over the steepest slope
 STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
 FINE = 17  # tips about an extremum
 AIMS = 5  # steps towards a zero
@@ -122,7 +122,8 @@ def is_shot(rods):
 def shots_of(rods, size):
     """All tips of rods whose ℓ√(β + η) is below π, and the numbers of the rods of which they are not sure."""
     load = load_of(rods)
-    rough, parts, unsure = rounded_to(load, float32), [], [zeros(0, dtype=int)]
+    rough, none = rounded_to(load, float32), zeros(0, dtype=int)
+    parts, unsure = [[none, *[zeros(0, dtype=float32)] * 4]], [none]
     slow = rods.slow
     for start in range(0, slow.size, SHOTS):
         here = slice(start, start + SHOTS)
