@@ -1,8 +1,8 @@
-"""The tips of rods that are shorter than any half-swing, all at once: by where motions are after the rod's length.
+"""The tips of rods that are shorter than any two half-swings, all at once: by where motions are after their length.
 
 From a tip φ the motion is at φ + 2 arctan(b/(℘(σ) − c)) (`theory/oblique`), and ℘ follows from its series near 0 by
-the duplication formula (DLMF 23.9.2, 23.10.7): no roots, no ranges. On a rod with ℓ√(β + η) < π that is a function of
-φ whose slope is nowhere more than cosh(ℓ√(β + η)), so even steps show its zeros.
+the duplication formula (DLMF 23.9.2, 23.10.7): no roots, no ranges. On a rod with ℓ√(β + η) < 2π, which no two
+half-swings fit, that is a function of φ, whose slope is nowhere more than cosh(ℓ√(β + η)): even steps show its zeros.
 """
 
 from __future__ import annotations
@@ -19,7 +19,6 @@ from numpy import (
     cosh,
     flatnonzero,
     float32,
-    full,
     isfinite,
     linspace,
     log,
@@ -36,8 +35,9 @@ from numpy import (
 from derive.emit.kernels.arithmetic import pi
 from derive.emit.kernels.array_arithmetic import each_atan2, each_cos, each_sin
 from derive.emit.kernels.block_records import rounded_to, rows
-from derive.emit.kernels.block_roots import Brackets, approached
+from derive.emit.kernels.block_roots import Brackets, approached, rough_times
 
+SHOT_SLOW = 1.2 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
 SHOTS = 384  # rods at once
 EVEN = 1.4  # step between tips, over the steepest slope
 STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
@@ -113,14 +113,14 @@ def wp_of_one(g2, g3):
 
 
 def is_shot(rods):
-    """Which rods are shorter than any half-swing, and not nearly straight."""
+    """Which rods are short, and not nearly straight."""
     lean = rods.clamp_angle - rods.field_angle
     couple = rods.beta * each_sin(rods.clamp_angle) + rods.eta / 2 * each_sin(2 * lean)
-    return (rods.slow < pi) & (abs(couple) * rods.length * rods.length > STRAIGHT)
+    return (rods.slow < SHOT_SLOW) & (abs(couple) * rods.length * rods.length > STRAIGHT)
 
 
 def shots_of(rods, size):
-    """All tips of rods whose ℓ√(β + η) is below π, and the numbers of the rods of which they are not sure."""
+    """All tips of short rods, and the numbers of the rods of which they are not sure."""
     load = load_of(rods)
     rough, none = rounded_to(load, float32), zeros(0, dtype=int)
     parts, unsure = [[none, *[zeros(0, dtype=float32)] * 4]], [none]
@@ -191,8 +191,20 @@ def aimed(group, shots):
     place, some = log((width - drop) / drop), rows(rods, row)
     speed = sqrt(2 * level_drop(some, some.side * shots.offset[tip]))
     slope = -shots.slope[tip] / speed * (width - drop) * drop / width
-    one, zero = full(row.shape, 1), zeros(row.size)
-    return Brackets(row, zero, one, place - 0.5, place + 0.5, -slope, slope), place, slope
+    back = turned_back(group, row, place)
+    slope, sign = where(back, -slope, slope), where(back, -1, 1)
+    return Brackets(row, back.astype(float), sign, place - 0.5, place + 0.5, -slope, slope), place, slope
+
+
+def turned_back(group, row, place):
+    """Whether the motions meet the clamp on their way back, on rods that are as long as half-swings may be."""
+    long = flatnonzero(group.rods.slow[row] >= pi)
+    back = zeros(row.shape, dtype=bool)
+    if long.size:
+        some = rows(group, row[long])
+        swing, arrival = rough_times(some.rods, some.piece, place[long])
+        back[long] = abs(2 * swing - arrival - some.rods.length) < abs(arrival - some.rods.length)
+    return back
 
 
 def level_drop(rods, offset):
