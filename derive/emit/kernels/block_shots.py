@@ -41,7 +41,8 @@ SHOT_SLOW = 1.2 * pi  # ℓ√(β + η) up to which this takes less time than sa
 SHOTS = 384  # rods at once
 EVEN = 1.4  # step between tips, over the steepest slope
 STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
-FINE = 17  # tips about an extremum
+FINE = 9  # tips about an extremum
+LOOKS = 4  # each at so many tips nearer to it
 AIMS = 5  # steps towards a zero
 
 
@@ -155,25 +156,24 @@ def beside_extrema(load, shares, values):
     close = flatnonzero(((here > 0) == (before > 0)) & ((here > 0) == (after > 0)) & (abs(here) < bend))
     close = close[abs(here[close]) < minimum(abs(before[close]), abs(after[close])) * (1 + 1e-6)]
     row, which, side = row[close], which[close], where(here[close] > 0, 1, -1)
-    finer = shares[row] + (shares[row + 2] - shares[row]) * linspace(0, 1, FINE)[:, None]
-    some = rows(load, which)
-    value = side * miss(some, finer)
-    best, column = value.argmin(axis=0) if which.size else zeros(0, dtype=int), arange(which.size)
-    inner = clip(best, 1, FINE - 2)
-    least, beside = value[best, column], maximum(value[inner - 1, column], value[inner + 1, column])
+    if not which.size:
+        return [which, *[zeros(0)] * 4], which
+    some, left, right = rows(load, which), shares[row], shares[row + 2]
+    ends, column, single = (left, right), arange(which.size), True
+    for _ in range(LOOKS):
+        finer = left + (right - left) * linspace(0, 1, FINE)[:, None]
+        value = side * miss(some, finer)
+        single = single & (((value[1:] < 0) != (value[:-1] < 0)).sum(axis=0) <= 2)
+        best = clip(value.argmin(axis=0), 1, FINE - 2)
+        left, right = finer[best - 1, column], finer[best + 1, column]
+    middle, least = finer[best, column], value[best, column]
     margin = 1e-9 * some.reach
-    beyond = (least < -margin) & (((value[1:] < 0) != (value[:-1] < 0)).sum(axis=0) == 2)
-    hard = ~beyond & (2 * least <= beside + margin)
+    beyond = single & (least < -margin)
+    hard = ~beyond & (2 * least <= maximum(value[best - 1, column], value[best + 1, column]) + margin)
     sure = flatnonzero(beyond)
-    middle, center, side = finer[best[sure], sure], least[sure] * side[sure], side[sure]
-    left, right = finer[0, sure], finer[-1, sure]
-    both = [which[sure], left, middle, side * value[0, sure], center], [
-        which[sure],
-        middle,
-        right,
-        center,
-        side * value[-1, sure],
-    ]
+    middle, center, outer = middle[sure], (side * least)[sure], [end[sure] for end in ends]
+    before, after = values[row[sure], which[sure]], values[row[sure] + 2, which[sure]]
+    both = [which[sure], outer[0], middle, before, center], [which[sure], middle, outer[1], center, after]
     return [concatenate(pair) for pair in zip(*both, strict=True)], which[hard]
 
 
