@@ -25,7 +25,6 @@ from numpy import where as each_where
 
 __all__ = [
     "any_of",
-    "each_complex_sqrt",
     "each_abs",
     "each_acos",
     "each_acosh",
@@ -36,6 +35,7 @@ __all__ = [
     "each_atan2",
     "each_complex_log",
     "each_complex_of",
+    "each_complex_sqrt",
     "each_cos",
     "each_exp",
     "each_floor",
@@ -136,9 +136,11 @@ def each_complex_log(z):
 
 def each_arctan_share(z, end):
     """R_C(1, end) for complex end = 1 + z: arctan(√z)/√z, by its series where z is small (DLMF 19.2.18)."""
-    share = 1 - z * (1 / 3 - z * (1 / 5 - z * (1 / 7 - z * (1 / 9 - z / 11))))
     far = each_abs(z) >= 1e-3
+    if far.all():
+        root = each_complex_sqrt(-z)
+        return each_complex_log((1 + root) * (1 + root) / end) / (2 * root)
+    share = 1 - z * (1 / 3 - z * (1 / 5 - z * (1 / 7 - z * (1 / 9 - z / 11))))
     if any_of(far):
-        root = each_complex_sqrt(-z[far])
-        share[far] = each_complex_log((1 + root) * (1 + root) / end[far]) / (2 * root)
+        share[far] = each_arctan_share(z[far], end[far])
     return share

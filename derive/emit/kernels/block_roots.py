@@ -122,7 +122,7 @@ def polished(some, brackets, place, slope, secants):
     rising = (brackets.value_right > brackets.value_left) == (brackets.right > brackets.left)
     todo = flatnonzero((brackets.value_left > 0) != (brackets.value_right > 0))
     value, before, parts = full(place.shape, nan), place.copy(), []
-    for turn in range(8):
+    for turn in range(secants + 6):
         here, branch = (some, brackets) if todo.size == place.size else rows((some, brackets), todo)
         at, extent = place[todo], here.rods.length
         motion = motion_at_each(here.rods.beta, here.rods.eta, here.rods.field_angle, here.piece, at)
@@ -135,7 +135,9 @@ def polished(some, brackets, place, slope, secants):
             slope[todo] = where(told, (now - value[todo]) / where(told, change, 1), slope[todo])
         step = now / slope[todo]
         if turn >= secants:
-            close = (abs(step) <= 4 * epsilon() * (1 + abs(at))) | (abs(now) <= 4 * epsilon() * extent)
+            # What is left time and again is rounding of the times themselves.
+            blur = 4 * epsilon() * 2 ** (turn - secants)
+            close = (abs(step) <= blur * (1 + abs(at))) | (abs(now) <= blur * extent)
             state = Found(branch.range, at, branch.turns, branch.sign, rising[todo], motion, phase, swing, arrival)
             parts.append(state if close.all() else rows(state, close))
             todo, at, now, step = todo[~close], at[~close], now[~close], step[~close]

@@ -39,7 +39,7 @@ from derive.emit.kernels.block_roots import Brackets, approached, rough_times
 
 SHOT_SLOW = 1.2 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
 SHOTS = 384  # rods at once
-EVEN = 1.4  # step between tips, over the steepest slope
+EVEN = 2.0  # step between tips, over the steepest slope
 STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
 FINE = 9  # tips about an extremum
 LOOKS = 4  # each at so many tips nearer to it
