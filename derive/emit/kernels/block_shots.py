@@ -123,43 +123,52 @@ def is_shot(rods):
 def shots_of(rods, size):
     """All tips of short rods, and the numbers of the rods of which they are not sure."""
     load = load_of(rods)
-    rough, none = rounded_to(load, float32), zeros(0, dtype=int)
-    parts, unsure = [[none, *[zeros(0, dtype=float32)] * 4]], [none]
-    slow = rods.slow
-    for start in range(0, slow.size, SHOTS):
-        here = slice(start, start + SHOTS)
-        steps = int(2 * (load.reach[here] * cosh(slow[here])).max() / EVEN)
-        shares = linspace(-1, 1, 16 + steps, dtype=float32)[:, None]
-        values = miss(rows(rough, here), shares)
-        row, which = nonzero((values[1:] > 0) != (values[:-1] > 0))
-        near, hard = beside_extrema(rows(load, here), shares[:, 0].astype(float), values)
-        unsure += [hard + start, flatnonzero(~isfinite(values.sum(axis=0))) + start]
-        parts.append([which + start, shares[row, 0], shares[row + 1, 0], values[row, which], values[row + 1, which]])
-        parts.append([near[0] + start, *near[1:]])
-    which, *ends = (concatenate(column) for column in zip(*parts, strict=True))
+    crossed, turned, unsure = sampled_shots(load, rods.slow)
+    beside, hard = beside_extrema(load, turned)
+    which, *ends = (concatenate(pair) for pair in zip(crossed, beside, strict=True))
     some = rows(load, which)
-    ends = [end.astype(float) for end in ends]
     share, slope = approached(lambda trial: miss(some, trial), *ends, AIMS, 1e-6)
     key = 2 * rods.case[which] + (share > 0)
     order = argsort(key, kind="stable")
     number = bincount(key, minlength=2 * size)
     offset, slope = (share * some.reach)[order], (slope / some.reach)[order]
-    return Shots(number.cumsum() - number, number, offset, slope), unique(concatenate(unsure))
+    return Shots(number.cumsum() - number, number, offset, slope), unique(concatenate([unsure, hard]))
 
 
-def beside_extrema(load, shares, values):
-    """Brackets beside extrema that reach beyond zero between samples, and the rods of which that is not sure."""
-    grows = values[1:] > values[:-1]
-    row, which = nonzero(grows[1:] != grows[:-1])
-    before, here, after = (values[row + k, which] for k in range(3))
-    bend = maximum(abs(before - here), abs(after - here))
-    close = flatnonzero(((here > 0) == (before > 0)) & ((here > 0) == (after > 0)) & (abs(here) < bend))
-    close = close[abs(here[close]) < minimum(abs(before[close]), abs(after[close])) * (1 + 1e-6)]
-    row, which, side = row[close], which[close], where(here[close] > 0, 1, -1)
-    if not which.size:
-        return [which, *[zeros(0)] * 4], which
-    some, left, right = rows(load, which), shares[row], shares[row + 2]
-    ends, column, single = (left, right), arange(which.size), True
+def sampled_shots(load, slow):
+    """Brackets, extrema that may reach beyond zero, and the rods without values.
+
+    Brackets have the rod, shares of its reach on either side and what is missed there; extrema have the rod, the
+    shares beside, what is missed there, and on which side of zero they are.
+    """
+    rough, none, real = rounded_to(load, float32), zeros(0, dtype=int), zeros(0)
+    brackets, extrema_found, lost = [[none, real, real, real, real]], [[none, real, real, real, real, none]], [none]
+    for start in range(0, slow.size, SHOTS):
+        here = slice(start, start + SHOTS)
+        steps = int(2 * (load.reach[here] * cosh(slow[here])).max() / EVEN)
+        shares = linspace(-1, 1, 16 + steps)
+        values = miss(rows(rough, here), shares.astype(float32)[:, None])
+        lost.append(flatnonzero(~isfinite(values.sum(axis=0))) + start)
+        row, which = nonzero((values[1:] > 0) != (values[:-1] > 0))
+        brackets.append([which + start, shares[row], shares[row + 1], values[row, which], values[row + 1, which]])
+        grows = values[1:] > values[:-1]
+        row, which = nonzero(grows[1:] != grows[:-1])
+        before, middle, after = (values[row + k, which] for k in range(3))
+        near = abs(middle) < maximum(abs(before - middle), abs(after - middle))
+        near &= (abs(middle) <= abs(before)) & (abs(middle) <= abs(after))
+        near &= ((middle > 0) == (before > 0)) & ((middle > 0) == (after > 0))
+        row, which, before, after = row[near], which[near], before[near], after[near]
+        side = where(middle[near] > 0, 1, -1)
+        extrema_found.append([which + start, shares[row], shares[row + 2], before, after, side])
+    parts = ([concatenate(part) for part in zip(*found, strict=True)] for found in (brackets, extrema_found))
+    return *parts, concatenate(lost)
+
+
+def beside_extrema(load, turned):
+    """Brackets beside extrema that reach beyond zero, and the rods of which that is not sure."""
+    which, first, last, before, after, side = turned
+    some, left, right = rows(load, which), first, last
+    column, single = arange(which.size), True
     for _ in range(LOOKS):
         finer = left + (right - left) * linspace(0, 1, FINE)[:, None]
         value = side * miss(some, finer)
@@ -170,11 +179,9 @@ def beside_extrema(load, shares, values):
     margin = 1e-9 * some.reach
     beyond = single & (least < -margin)
     hard = ~beyond & (2 * least <= maximum(value[best - 1, column], value[best + 1, column]) + margin)
-    sure = flatnonzero(beyond)
-    middle, center, outer = middle[sure], (side * least)[sure], [end[sure] for end in ends]
-    before, after = values[row[sure], which[sure]], values[row[sure] + 2, which[sure]]
-    both = [which[sure], outer[0], middle, before, center], [which[sure], middle, outer[1], center, after]
-    return [concatenate(pair) for pair in zip(*both, strict=True)], which[hard]
+    one = which, first, middle, before, side * least
+    other = which, middle, last, side * least, after
+    return [concatenate(pair)[concatenate([beyond, beyond])] for pair in zip(one, other, strict=True)], which[hard]
 
 
 def aimed(group, shots):
