@@ -52,7 +52,7 @@ class _Layout:
         """A block; blank lines and comments above a statement stay with it."""
         for index, node in enumerate(statements):
             above = self.above(node)
-            after_class_docstring = index == 1 and isinstance(node, ast.AnnAssign) and _is_text(statements[0])
+            after_class_docstring = index == 1 and _begins_class(node) and _is_text(statements[0])
             if after_class_docstring or (above[:1] == [""] and (index or isinstance(node, ast.FunctionDef))):
                 yield ""
             yield from (indent + line for line in above if line)
@@ -150,6 +150,12 @@ def _header_nodes(node: Any) -> Iterator[Any]:
         for item in value if isinstance(value, list) else [value]:
             if isinstance(item, ast.AST):
                 yield from (n for n in ast.walk(item) if hasattr(n, "end_lineno"))
+
+
+def _begins_class(node: ast.stmt) -> bool:
+    """Whether a statement is one that stands first in a class: a field or its slots."""
+    slots = isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name) and node.targets[0].id == "__slots__"
+    return slots or isinstance(node, ast.AnnAssign)
 
 
 def _is_text(node: Any) -> bool:

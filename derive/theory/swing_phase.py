@@ -196,7 +196,7 @@ def _write_gauss(writer: Writer) -> Phase:
         return 1 / (4 * at * (1 - at) * (one**2 * (1 - at) + other**2 * at))
 
     def keeps(value: Expr) -> Equal:
-        at = value.subs(sums).subs(delta, root)
+        at = value.subs(sums).subs({delta: root, rest: 1 - square})
         speed = diff(at, square) ** 2 * squared(at, (a + b) / 2, sqrt(a * b))
         return Equal(speed, squared(square, a, b))
 
@@ -222,6 +222,26 @@ def _write_gauss(writer: Writer) -> Phase:
         steps=("gauss_square",),
         source=source,
     )
+    far_square = writer.add(
+        "far_square",
+        (first, rest, delta),
+        a**2 * rest / delta**2,
+        "sin²ψ of the same point by the length from the far turning point",
+        keeps,
+        PHASE,
+        steps=("phase_rate",),
+        source="DLMF 22.4(iii)",
+    )
+    writer.add(
+        "far_rest",
+        (second, square, delta),
+        b**2 * square / delta**2,
+        "cos²ψ of the same point by the length from the far turning point",
+        lambda value: Equal((value + far_square).subs({delta: root, rest: 1 - square}), 1),
+        PHASE,
+        steps=("far_square",),
+        source="DLMF 22.4(iii)",
+    )
     return Phase(delta_there, new_square.subs(sums), new_rest.subs(sums))
 
 
@@ -232,20 +252,30 @@ def _write_second_kind(step: Phase, writer: Writer) -> None:
 
     def falls(value: Expr) -> Equal:
         # Along σ: dS/dσ = 2 sin ψ cos ψ Δ, and the length grows by 1.
-        here = value.subs({delta: root, rest: 1 - square})
+        here = value.subs({total: a + b, step_gap: a - b, below: a + root}).subs(rest, 1 - square)
         slope = diff(here, square) * 2 * sqrt(square * (1 - square)) * root + diff(here, arc)
         after = (geometric**2 - mean**2) * step.square.subs(delta, root)
         return Equal((b**2 - a**2) * square, 2 * after - slope)
 
     lost = writer.add(
         "second_kind_step",
-        (first, second, square, rest, delta, arc),
-        (a - b) * (a + b) * (arc / 2 - sqrt(square * rest) / (a + delta)),
-        "2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step",
+        (total, step_gap, below, square, rest, arc),
+        total * step_gap * (arc / 2 - sqrt(square * rest) / below),
+        "2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step; below = a + Δ",
         falls,
         PHASE,
         steps=("gauss_square", "gauss_rest"),
         source="DLMF 19.8.19",
+    )
+    writer.add(
+        "gauss_gap",
+        (step_gap, total),
+        step_gap**2 / (4 * total),
+        "a′ − b′ after Gauss's step, by gap = a − b and total = a′ + b′",
+        lambda value: Equal(value.subs({step_gap: a - b, total: mean + geometric}), mean - geometric),
+        PHASE,
+        steps=("gauss_square",),
+        source="DLMF 19.8(i)",
     )
     start = Equal(lost.subs({square: 0, arc: 0}), 0)
     writer.claim("second_kind_tip", "the term is zero at the tip", start, PHASE, steps=("second_kind_step",))

@@ -15,6 +15,7 @@ from sympy import Add, Expr, Integer, Matrix, Rational, Symbol, atan, atan2, cos
 
 from .claims import Domain, Equal
 from .swing_levels import FIELD, Levels
+from .swing_merging import write_merging
 from .swing_names import Writer, cosine, field_angle, sine, turned
 from .symbols import beta, eta, theta
 
@@ -31,6 +32,7 @@ def write_rest(levels: Levels, writer: Writer) -> None:
     _write_well(levels.moment, writer)
     _write_pair(levels.moment, writer)
     _claim_astroid(writer)
+    write_merging(levels, writer)
     _claim_none(levels.moment, writer)
     _write_tilted(levels, writer)
 

@@ -33,6 +33,7 @@ from derive.emit.kernels.pieces_each import (
     reach_each,
     ridge_fall_each,
     ridge_ground_each,
+    turn_to_each,
 )
 
 NEARLY = 0.3  # how far η may be below the value at which a ridge appears, and still slow motions down, over β + η
@@ -40,7 +41,10 @@ SHARP = 0.01  # the same from which on the dips are too narrow for the samples h
 
 
 class Rods(NamedTuple):
-    """Rods in their own units of length: see ``equilibria.Rod``. case: their number in the block; slow: ℓ√(β + η)."""
+    """Rods in their own units of length: see ``equilibria.Rod``. case: their number in the block; slow: ℓ√(β + η).
+
+    shot: whether all their tips are known nearly, by ``block_shots``.
+    """
 
     case: Any
     side: Any
@@ -51,6 +55,7 @@ class Rods(NamedTuple):
     clamp_angle: Any
     field_angle: Any
     slow: Any
+    shot: Any
 
 
 class Group(NamedTuple):
@@ -89,33 +94,38 @@ def groups(rods):
             if which.size:
                 given, piece = rows(some, which), build(rows(ground, which))
                 group = Group(given, clamp.turns[which], full(which.shape, rank), piece, None)
-                parts, sharp = by_dips(rows(group, in_time(given, piece)))
+                parts, sharp = by_dips(group, given.shot | in_time(given, piece))
                 found += parts
                 doubtful.append(sharp)
     return found, straight, concatenate(doubtful)
 
 
-def by_dips(group):
-    """The ranges without and with a dip, and the cases left to the scalar solver, for their dip is too sharp."""
+def by_dips(group, wanted):
+    """The ranges that are wanted, without and with a dip, and the cases left to the scalar solver, for their dip is
+    too sharp."""
+    shot = group.rods.shot
+    if shot.all():
+        return [group], zeros(0, dtype=int)
     missing, dip = nearly_ridge(group.rods, group.piece)
-    plain, wide = missing > NEARLY, (missing <= NEARLY) & (missing >= SHARP)
+    missing = where(shot, inf, missing)
+    plain, wide = wanted & (missing > NEARLY), wanted & (missing <= NEARLY) & (missing >= SHARP)
     parts = [rows(group, plain)] if plain.any() else []
     if wide.any():
         parts.append(rows(group._replace(dip=dip), wide))
-    return parts, group.rods.case[~plain & ~wide]
+    return parts, group.rods.case[wanted & ~plain & ~wide]
 
 
 def nearly_ridge(rods, piece):
     """How far η is below the value at which a ridge would appear, and the place at which the motion would meet it:
     see ``search.places``. No number where that is not on the range."""
     basin = piece.basin
-    if basin.even or basin.passes or piece.low_kind == "level" or basin.far.quarters - basin.hill.quarters != 4:
+    if basin.even or basin.passes or piece.low_kind == "level" or not basin.whole:
         return full(rods.case.shape, inf), rods.slow
     beta, eta, angle = rods.beta, rods.eta, abs(rods.field_angle)
     side = astroid_cusp_each(angle)
     missing = -ridge_couple_each(beta, eta, angle, side) / (beta + eta)
     cusp = where(rods.field_angle > 0, angle + pi + side, pi - angle - side)
-    down = basin.well.angle - basin.hill.angle
+    down = turn_to_each(basin.hill, basin.well)
     rise = reach_each(eta, basin.hill, fall_each(eta, basin.hill, 0, cusp - basin.hill.angle), down, 1)
     inside = (rise > 0) & (rise < piece.width)
     return where(inside, missing, inf), log(rise / (piece.width - rise))
@@ -188,15 +198,8 @@ def chosen(rods, mask):
 def ground_of_kind(rods, scene, clamp):
     """The ground of rods with one kind of landscape, and where a ridge is too near the hill's level to be told."""
     rests = scene.rests
-    level = scene._replace(rests=numbered(rests))
     if len(rests) == 3 or scene.level:
-        return level_ground_each(rods.eta, level, clamp.offsets), zeros(rods.case.shape, dtype=bool)
+        return level_ground_each(rods.eta, scene, clamp.offsets), zeros(rods.case.shape, dtype=bool)
     drop = ridge_fall_each(rods.beta, rods.eta, rods.field_angle, rests[0], rests[2])
     low = drop <= epsilon() ** 17 * (rods.beta + rods.eta)
-    return ridge_ground_each(rods.eta, level, clamp.offsets, drop), low
-
-
-def numbered(rests):
-    """The directions with a number for the rest of their angle: only whether two are alike is asked from here on."""
-    last = len(rests) - 1
-    return tuple(rest._replace(extra=k % last) for k, rest in enumerate(rests))
+    return ridge_ground_each(rods.eta, scene, clamp.offsets, drop), low

@@ -3,12 +3,12 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 c09c4c1aab307217debebc4dddd6267d2195e5201f2767b5890ce11a2024676f
+Digest of the inputs: sha256 2358b73640e08b5c34db0208f4d4dea45ddc45f8dd2430c3e93bf85620d3de75
 """
 
 from __future__ import annotations
 
-from derive.emit.kernels.arithmetic import sqrt
+from derive.emit.kernels.arithmetic import cos, sin, sqrt
 
 
 def rest_stiffness(beta, eta, cosine, double_cosine):
@@ -78,6 +78,63 @@ def tip_cubic(beta, eta, sine, double_sine):
     Proved as swing.tip_cubic.
     """
     return beta * sine - 0.5 * eta * double_sine
+
+
+def force_balance(beta, eta, gap_sine, lean_half_sine, side_cosine, turn_sine, turn_half_sine):
+    """θ″ at π − p, and at p with the field at λ from the normal of the force, by β − η.
+
+    Equation exsl6; proved as swing.force_balance.
+    """
+    return (
+        gap_sine * (beta - eta)
+        - 2 * eta * (lean_half_sine * side_cosine - turn_sine * turn_half_sine * turn_half_sine)
+    )
+
+
+def force_stiffness(eta, lean, along, across, gap_sine):
+    """−dθ″/dθ at π − p, dθ″/dθ at p, where θ″ vanishes, by cosine and sine of λ + p.
+
+    Proved as swing.force_stiffness.
+    """
+    return eta * (sin(lean) * along * along * along + cos(lean) * across * across * across) / gap_sine
+
+
+def pair_couple(beta, eta, force_sine, lean_half_sine, side_cosine, turn_sine, turn_half_sine):
+    """θ″ at π + λ + x, and at −λ − x with the field at λ from the normal of the force.
+
+    Equation exsl6; proved as swing.pair_couple.
+    """
+    return (
+        force_sine * (eta - beta)
+        - 2 * eta * (lean_half_sine * side_cosine + turn_sine * turn_half_sine * turn_half_sine)
+    )
+
+
+def cusp_couple(beta, eta, couple, stiffness, half_sine, quarter_sine, three_sine, near_sine, far_sine, force_sine):
+    """θ″ at an angle u beside the cusp, by θ″ and dθ″/dθ there.
+
+    Proved as swing.cusp_couple.
+    """
+    return (
+        couple
+        + 2
+        * half_sine
+        * (stiffness + 2 * beta * quarter_sine * force_sine - eta * (quarter_sine * near_sine + three_sine * far_sine))
+    )
+
+
+def pair_stiffness(eta, lean_cosine, cusp_cosine, beside_sine, along, across, force_sine):
+    """dθ″/dθ of the pair, where θ″ vanishes, by the sine of what x is beyond the cusp.
+
+    Proved as swing.pair_stiffness.
+    """
+    return (
+        -eta
+        * lean_cosine
+        * beside_sine
+        * (along * along + along * across + across * across)
+        / (cusp_cosine * cusp_cosine * cusp_cosine * force_sine)
+    )
 
 
 def phase_sum(root_near, root_far, done_sine, left_sine):
@@ -166,12 +223,36 @@ def gauss_rest(first, second, square, rest, delta, below):
     )
 
 
-def second_kind_step(first, second, square, rest, delta, arc):
-    """2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step.
+def far_square(first, rest, delta):
+    """sin²ψ of the same point by the length from the far turning point.
+
+    Equation DLMF 22.4(iii); proved as swing.far_square.
+    """
+    return rest * first * first / (delta * delta)
+
+
+def far_rest(second, square, delta):
+    """cos²ψ of the same point by the length from the far turning point.
+
+    Equation DLMF 22.4(iii); proved as swing.far_rest.
+    """
+    return square * second * second / (delta * delta)
+
+
+def second_kind_step(total, gap, below, square, rest, arc):
+    """2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step; below = a + Δ.
 
     Equation DLMF 19.8.19; proved as swing.second_kind_step.
     """
-    return (first + second) * (first - second) * (0.5 * arc - sqrt(square * rest) / (first + delta))
+    return total * gap * (0.5 * arc - sqrt(square * rest) / below)
+
+
+def gauss_gap(gap, total):
+    """a′ − b′ after Gauss's step, by gap = a − b and total = a′ + b′.
+
+    Equation DLMF 19.8(i); proved as swing.gauss_gap.
+    """
+    return 0.25 * gap * gap / total
 
 
 def back_below(first, second, square):
@@ -430,20 +511,20 @@ def w_imag(b, rj_re):
     return 2 * b * rj_re / 3
 
 
-def arc_y(sine, cosine, arc, w_re, w_im):
-    """∫y′ dσ from the tip to the point, by sin φ and cos φ.
+def arc_y(sine, cosine, w_re, w_im):
+    """∫y′ dσ from the tip to the point less what it is along the tip's direction, by sin φ and cos φ.
 
     Equation exsl36; proved as swing.arc_y.
     """
-    return cosine * (arc + w_re) - sine * w_im
+    return cosine * w_re - sine * w_im
 
 
-def arc_z(sine, cosine, arc, w_re, w_im):
-    """∫z′ dσ from the tip to the point, by sin φ and cos φ.
+def arc_z(sine, cosine, w_re, w_im):
+    """∫z′ dσ from the tip to the point less what it is along the tip's direction, by sin φ and cos φ.
 
     Equation exsl41; proved as swing.arc_z.
     """
-    return sine * (arc + w_re) + cosine * w_im
+    return sine * w_re + cosine * w_im
 
 
 def others_sum(q, root):
@@ -489,15 +570,9 @@ def arc_kink_tip(first, second, delta, across, b, pole, near_root, gap):
     )
 
 
-def arc_square(beta, eta, cosine, aligned, first, root, arc, y, kink, growth):
-    """η∫cos²(θ − α)dσ from the tip to the point, by cos φ and cos(φ − α).
+def arc_square(beta, first, root, arc, y_apart, kink, growth):
+    """η∫cos²(θ − α)dσ from the tip to the point less what it is along the tip's direction, by the same of y.
 
     Equation DLMF 19.29(ii); proved as swing.arc_square.
     """
-    return (
-        arc * (beta * cosine + eta * aligned * aligned)
-        - beta * y
-        - 2 * arc * (2 * first * first - 2 * root)
-        - 2 * kink
-        - 8 * growth
-    )
+    return -beta * y_apart - 2 * arc * (2 * first * first - 2 * root) - 2 * kink - 8 * growth

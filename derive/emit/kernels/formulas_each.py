@@ -3,12 +3,12 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 49787cdaa76479ed25c19f141bd02e658ffb3ec64adfa0ca35b587c6e3621a8f
+Digest of the inputs: sha256 09d0957c982e67f9d6cb5482dd3bbc7c719c8926cb51fe47928d056cd7562136
 """
 
 from __future__ import annotations
 
-from derive.emit.kernels.array_arithmetic import each_sqrt
+from derive.emit.kernels.array_arithmetic import each_cos, each_sin, each_sqrt
 
 
 def rest_stiffness_each(beta, eta, cosine, double_cosine):
@@ -78,6 +78,65 @@ def tip_cubic_each(beta, eta, sine, double_sine):
     Proved as swing.tip_cubic.
     """
     return beta * sine - 0.5 * eta * double_sine
+
+
+def force_balance_each(beta, eta, gap_sine, lean_half_sine, side_cosine, turn_sine, turn_half_sine):
+    """θ″ at π − p, and at p with the field at λ from the normal of the force, by β − η.
+
+    Equation exsl6; proved as swing.force_balance.
+    """
+    return (
+        gap_sine * (beta - eta)
+        - 2 * eta * (lean_half_sine * side_cosine - turn_sine * turn_half_sine * turn_half_sine)
+    )
+
+
+def force_stiffness_each(eta, lean, along, across, gap_sine):
+    """−dθ″/dθ at π − p, dθ″/dθ at p, where θ″ vanishes, by cosine and sine of λ + p.
+
+    Proved as swing.force_stiffness.
+    """
+    return eta * (each_sin(lean) * along * along * along + each_cos(lean) * across * across * across) / gap_sine
+
+
+def pair_couple_each(beta, eta, force_sine, lean_half_sine, side_cosine, turn_sine, turn_half_sine):
+    """θ″ at π + λ + x, and at −λ − x with the field at λ from the normal of the force.
+
+    Equation exsl6; proved as swing.pair_couple.
+    """
+    return (
+        force_sine * (eta - beta)
+        - 2 * eta * (lean_half_sine * side_cosine + turn_sine * turn_half_sine * turn_half_sine)
+    )
+
+
+def cusp_couple_each(
+    beta, eta, couple, stiffness, half_sine, quarter_sine, three_sine, near_sine, far_sine, force_sine
+):
+    """θ″ at an angle u beside the cusp, by θ″ and dθ″/dθ there.
+
+    Proved as swing.cusp_couple.
+    """
+    return (
+        couple
+        + 2
+        * half_sine
+        * (stiffness + 2 * beta * quarter_sine * force_sine - eta * (quarter_sine * near_sine + three_sine * far_sine))
+    )
+
+
+def pair_stiffness_each(eta, lean_cosine, cusp_cosine, beside_sine, along, across, force_sine):
+    """dθ″/dθ of the pair, where θ″ vanishes, by the sine of what x is beyond the cusp.
+
+    Proved as swing.pair_stiffness.
+    """
+    return (
+        -eta
+        * lean_cosine
+        * beside_sine
+        * (along * along + along * across + across * across)
+        / (cusp_cosine * cusp_cosine * cusp_cosine * force_sine)
+    )
 
 
 def phase_sum_each(root_near, root_far, done_sine, left_sine):
@@ -166,12 +225,36 @@ def gauss_rest_each(first, second, square, rest, delta, below):
     )
 
 
-def second_kind_step_each(first, second, square, rest, delta, arc):
-    """2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step.
+def far_square_each(first, rest, delta):
+    """sin²ψ of the same point by the length from the far turning point.
+
+    Equation DLMF 22.4(iii); proved as swing.far_square.
+    """
+    return rest * first * first / (delta * delta)
+
+
+def far_rest_each(second, square, delta):
+    """cos²ψ of the same point by the length from the far turning point.
+
+    Equation DLMF 22.4(iii); proved as swing.far_rest.
+    """
+    return square * second * second / (delta * delta)
+
+
+def second_kind_step_each(total, gap, below, square, rest, arc):
+    """2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step; below = a + Δ.
 
     Equation DLMF 19.8.19; proved as swing.second_kind_step.
     """
-    return (first + second) * (first - second) * (0.5 * arc - each_sqrt(square * rest) / (first + delta))
+    return total * gap * (0.5 * arc - each_sqrt(square * rest) / below)
+
+
+def gauss_gap_each(gap, total):
+    """a′ − b′ after Gauss's step, by gap = a − b and total = a′ + b′.
+
+    Equation DLMF 19.8(i); proved as swing.gauss_gap.
+    """
+    return 0.25 * gap * gap / total
 
 
 def back_below_each(first, second, square):
@@ -302,20 +385,20 @@ def w_imag_each(b, rj_re):
     return 2 * b * rj_re / 3
 
 
-def arc_y_each(sine, cosine, arc, w_re, w_im):
-    """∫y′ dσ from the tip to the point, by sin φ and cos φ.
+def arc_y_each(sine, cosine, w_re, w_im):
+    """∫y′ dσ from the tip to the point less what it is along the tip's direction, by sin φ and cos φ.
 
     Equation exsl36; proved as swing.arc_y.
     """
-    return cosine * (arc + w_re) - sine * w_im
+    return cosine * w_re - sine * w_im
 
 
-def arc_z_each(sine, cosine, arc, w_re, w_im):
-    """∫z′ dσ from the tip to the point, by sin φ and cos φ.
+def arc_z_each(sine, cosine, w_re, w_im):
+    """∫z′ dσ from the tip to the point less what it is along the tip's direction, by sin φ and cos φ.
 
     Equation exsl41; proved as swing.arc_z.
     """
-    return sine * (arc + w_re) + cosine * w_im
+    return sine * w_re + cosine * w_im
 
 
 def others_sum_each(q, root):
@@ -361,15 +444,9 @@ def arc_kink_tip_each(first, second, delta, across, b, pole, near_root, gap):
     )
 
 
-def arc_square_each(beta, eta, cosine, aligned, first, root, arc, y, kink, growth):
-    """η∫cos²(θ − α)dσ from the tip to the point, by cos φ and cos(φ − α).
+def arc_square_each(beta, first, root, arc, y_apart, kink, growth):
+    """η∫cos²(θ − α)dσ from the tip to the point less what it is along the tip's direction, by the same of y.
 
     Equation DLMF 19.29(ii); proved as swing.arc_square.
     """
-    return (
-        arc * (beta * cosine + eta * aligned * aligned)
-        - beta * y
-        - 2 * arc * (2 * first * first - 2 * root)
-        - 2 * kink
-        - 8 * growth
-    )
+    return -beta * y_apart - 2 * arc * (2 * first * first - 2 * root) - 2 * kink - 8 * growth

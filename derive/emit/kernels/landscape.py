@@ -10,6 +10,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import any_of, atan, atan2, cos, epsilon, larger, less_quarters, pi, pick, sin, sqrt
+from derive.emit.kernels.formulas import cusp_couple, force_balance, force_stiffness, pair_couple, pair_stiffness
 
 
 class Rest(NamedTuple):
@@ -63,8 +64,8 @@ def oblique_landscape(beta, eta, field_angle):
 
 def has_second_pair(beta, eta, field_angle):
     """Whether the field is strong enough for a second hill and well."""
-    # Of a couple c at the cusp the ridge is as high as c to the power 3/2: below this it is lost in rounding.
-    return ridge_couple(beta, eta, field_angle, astroid_cusp(field_angle)) > epsilon() ** 0.7 * (beta + eta)
+    lean = pick(field_angle > pi / 4, -less_quarters(field_angle, 1), field_angle)
+    return couple_beyond(beta, eta, lean, astroid_cusp(lean)) > 4 * epsilon() * (beta + eta)
 
 
 def mirror_landscape(scene):
@@ -140,24 +141,108 @@ def oblique_alone(eta, field_angle):
 
 def oblique_single(beta, eta, field_angle):
     """A field angle in (0, π/2): a hill between force and field, a well a quarter turn on."""
-    back = rising_root(lambda y: twist(eta, y) - beta * sin(field_angle - y), 0 * field_angle, field_angle)
-    on = rising_root(lambda w: twist(eta, w) - beta * cos(field_angle + w), 0 * field_angle, pi / 2 - field_angle)
-    hill = rest_at(beta, eta, field_angle, 0, field_angle - back)
-    well = rest_at(beta, eta, field_angle, 1, field_angle + on)
-    return Landscape((hill, well, hill._replace(quarters=4, angle=hill.angle + 2 * pi)), False, False)
+    # Both lie as the well and the hill do with the field as far from the normal of the force as it is here from it.
+    steep = field_angle > pi / 4
+    lean = pick(steep, -less_quarters(field_angle, 1), field_angle)
+    hill, well = beside_field(beta, eta, lean), beside_force(beta, eta, lean)
+    hill, well = pick_rest(steep, turned_back(well), hill), pick_rest(steep, turned_back(hill), well)
+    low = rest_of(0, hill)
+    return Landscape((low, rest_of(2, well), low._replace(quarters=4, angle=low.angle + 2 * pi)), False, False)
+
+
+def turned_back(rest):
+    """What is a hill beside 0 with one field is a well beside π with the other, and the reverse."""
+    return rest._replace(
+        extra=-rest.extra, stiffness=-rest.stiffness, double_cosine=-rest.double_cosine, double_sine=rest.double_sine
+    )
+
+
+def rest_of(quarters, rest):
+    """The direction with its angle, from a number of quarter turns on."""
+    return rest._replace(quarters=quarters, angle=quarters * (pi / 2) + rest.extra)
+
+
+def beside_field(beta, eta, lean):
+    """The hill between force and field, for a field at ``lean`` in (0, π/4]."""
+    back = rising_root(lambda y: twist(eta, y) - beta * sin(lean - y), 0 * lean, lean)
+    return Rest(0, lean - back, 0, beta * cos(lean - back) + eta * cos(2 * back), cos(2 * back), -sin(2 * back))
+
+
+def beside_force(beta, eta, lean):
+    """The well between the normal of the field and the opposite of the force, for the same: by what it is from the
+    nearer one of these."""
+    most = pi / 2 - lean
+    on = side_couple(beta, eta, lean, most / 2) < 0  # whether it is nearer to the normal
+    # Under a force no weaker than the field it is no further from its opposite than where both would be level.
+    level = pick(on | (beta < eta), most, 2 * lean ** (1 / 3))
+    part = rising_root(
+        lambda x: pick(on, twist(eta, x) - beta * cos(lean + x), side_couple(beta, eta, lean, x)),
+        0 * lean,
+        pick(level < most, level, most),
+    )
+    gap, double = pick(on, most - part, part), 2 * pick(on, part, lean + part)
+    along, across = pick(on, sin(part), cos(lean + part)), pick(on, cos(part), sin(lean + part))
+    weak = 2 * eta < beta  # then it is next to the force, and nothing cancels
+    stiffness = force_stiffness(eta, lean, along, across, pick(weak, 1, larger(sin(gap), epsilon() ** 19)))
+    stiffness = pick(weak, beta * cos(gap) - eta * cos(double), stiffness)
+    return Rest(2, -gap, 0, -stiffness, cos(double) * pick(on, -1, 1), -sin(double))
+
+
+def side_couple(beta, eta, lean, gap):
+    """The couple on a rod at π − gap."""
+    turn = lean + gap
+    return force_balance(beta, eta, sin(gap), sin(lean / 2), cos(gap + lean / 2), sin(turn), sin(turn / 2))
 
 
 def oblique_double(beta, eta, field_angle):
     """A field angle in (0, π/2), and a second pair: a ridge and a well."""
     hill, well, again = oblique_single(beta, eta, field_angle).rests
-    cusp = astroid_cusp(field_angle)
+    steep = field_angle > pi / 4
+    lean = pick(steep, -less_quarters(field_angle, 1), field_angle)
+    low, high = pair_rests(beta, eta, lean)
+    if any_of(steep):
+        # The same pair, seen from the force's direction a turn on.
+        back = [turned_back(rest) for rest in (high, low)]
+        back = [rest._replace(extra=rest.extra + pi) for rest in back]
+        low, high = (pick_rest(steep, *pair) for pair in zip(back, (low, high), strict=True))
+    return Landscape((hill, well, rest_of(2, low), rest_of(2, high), again), False, False)
 
-    def couple(x):
-        return ridge_couple(beta, eta, field_angle, x)
 
-    ridge = rest_at(beta, eta, field_angle, 2, field_angle + rising_root(couple, 0 * field_angle, cusp))
-    second = rest_at(beta, eta, field_angle, 2, field_angle + rising_root(couple, pi / 2 + 0 * field_angle, cusp))
-    return Landscape((hill, well, ridge, second, again), False, False)
+def pair_rests(beta, eta, lean):
+    """The pair at π + lean + x, x to either side of the cusp: by what x is from there, or from zero if that is less."""
+    cusp = astroid_cusp(lean)
+    place, couple = lean + cusp, couple_beyond(beta, eta, lean, cusp)
+    stiffness = couple * cos(place) / sin(place)
+
+    def beside(u):
+        sines = sin(u / 2), sin(u / 4), sin(3 * u / 4), sin(2 * cusp + u / 4), sin(2 * cusp + 3 * u / 4)
+        return cusp_couple(beta, eta, couple, stiffness, *sines, sin(place + u / 4))
+
+    near = couple_beyond(beta, eta, lean, cusp / 2) > 0
+    first = rising_root(
+        lambda x: pick(near, couple_beyond(beta, eta, lean, x), beside(-x)), pick(near, 0, cusp), pick(near, cusp, 0)
+    )
+    low = pair_rest(eta, lean, cusp, pick(near, first, cusp - first), pick(near, first - cusp, -first))
+    last = rising_root(beside, pi / 2 - cusp, 0 * lean)
+    return low, pair_rest(eta, lean, cusp, cusp + last, last)
+
+
+def pair_rest(eta, lean, cusp, turn, beside):
+    """The direction at π + lean + turn, turn = cusp + beside."""
+    along, across = cos(cusp) * sin(turn), sin(cusp) * cos(turn)
+    stiffness = pair_stiffness(eta, cos(lean), cos(cusp), sin(beside), along, across, sin(lean + turn))
+    return Rest(2, lean + turn, 0, stiffness, cos(2 * turn), sin(2 * turn))
+
+
+def couple_beyond(beta, eta, lean, turn):
+    """The couple on a rod at π + lean + turn, greatest at the cusp; of a weak force as it stands."""
+    known = sin(lean + turn), sin(lean / 2), cos(turn + lean / 2), sin(turn), sin(turn / 2)
+    return pick(2 * beta < eta, twist(eta, turn) - beta * known[0], pair_couple(beta, eta, *known))
+
+
+def pick_rest(condition, yes, no):
+    """One or the other direction, number by number."""
+    return Rest(*(pick(condition, *pair) for pair in zip(yes, no, strict=True)))
 
 
 def astroid_cusp(field_angle):
@@ -195,7 +280,10 @@ def rising_root(function, low, high):
         value = function(middle)
         size = sqrt(larger(value * value - value_low * value_high, 0))
         exact = (value == 0) | (size == 0)
-        trial = pick(exact, middle, middle + (middle - low) * (-value / pick(exact, 1, size)))
+        size = pick(exact, 1, size)
+        # By the distance from the low end, which may be far less than the interval.
+        share = pick(value > 0, -value_low * value_high / (size * (size + larger(value, 0))), 1 - value / size)
+        trial = pick(exact, middle, low + (middle - low) * share)
         value_trial = function(trial)
         settled, last = abs(trial - last) <= 4 * epsilon() * abs(trial), pick(moving, trial, last)
         low, high, value_low, value_high = narrowed(low, high, value_low, value_high, middle, value)

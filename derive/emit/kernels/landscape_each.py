@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/landscape.py: do not edit, change that file.
 
-Digest of the inputs: sha256 6dc563465ddbfb0cbecc0fe76a4d0d616500e1a5d30d5a7322731a87eb7979fd
+Digest of the inputs: sha256 2f65587718bd30ebaee73cdb5201be7b0e19ebc71178b039cf8c6b4f66c9b472
 """
 
 from __future__ import annotations
@@ -19,6 +19,13 @@ from derive.emit.kernels.array_arithmetic import (
     each_sin,
     each_sqrt,
     larger,
+)
+from derive.emit.kernels.formulas_each import (
+    cusp_couple_each,
+    force_balance_each,
+    force_stiffness_each,
+    pair_couple_each,
+    pair_stiffness_each,
 )
 from derive.emit.kernels.landscape import Landscape, Rest
 
@@ -49,8 +56,8 @@ def oblique_landscape_each(beta, eta, field_angle):
 
 def has_second_pair_each(beta, eta, field_angle):
     """Whether the field is strong enough for a second hill and well."""
-    # Of a couple c at the cusp the ridge is as high as c to the power 3/2: below this it is lost in rounding.
-    return ridge_couple_each(beta, eta, field_angle, astroid_cusp_each(field_angle)) > epsilon() ** 0.7 * (beta + eta)
+    lean = each_pick(field_angle > pi / 4, -each_less_quarters(field_angle, 1), field_angle)
+    return couple_beyond_each(beta, eta, lean, astroid_cusp_each(lean)) > 4 * epsilon() * (beta + eta)
 
 
 def mirror_landscape_each(scene):
@@ -126,30 +133,135 @@ def oblique_alone_each(eta, field_angle):
 
 def oblique_single_each(beta, eta, field_angle):
     """A field angle in (0, π/2): a hill between force and field, a well a quarter turn on."""
-    back = rising_root_each(
-        lambda y: twist_each(eta, y) - beta * each_sin(field_angle - y), 0 * field_angle, field_angle
+    # Both lie as the well and the hill do with the field as far from the normal of the force as it is here from it.
+    steep = field_angle > pi / 4
+    lean = each_pick(steep, -each_less_quarters(field_angle, 1), field_angle)
+    hill, well = beside_field_each(beta, eta, lean), beside_force_each(beta, eta, lean)
+    hill, well = (
+        pick_rest_each(steep, turned_back_each(well), hill),
+        pick_rest_each(steep, turned_back_each(hill), well),
     )
-    on = rising_root_each(
-        lambda w: twist_each(eta, w) - beta * each_cos(field_angle + w), 0 * field_angle, pi / 2 - field_angle
+    low = rest_of_each(0, hill)
+    return Landscape((low, rest_of_each(2, well), low._replace(quarters=4, angle=low.angle + 2 * pi)), False, False)
+
+
+def turned_back_each(rest):
+    """What is a hill beside 0 with one field is a well beside π with the other, and the reverse."""
+    return rest._replace(
+        extra=-rest.extra, stiffness=-rest.stiffness, double_cosine=-rest.double_cosine, double_sine=rest.double_sine
     )
-    hill = rest_at_each(beta, eta, field_angle, 0, field_angle - back)
-    well = rest_at_each(beta, eta, field_angle, 1, field_angle + on)
-    return Landscape((hill, well, hill._replace(quarters=4, angle=hill.angle + 2 * pi)), False, False)
+
+
+def rest_of_each(quarters, rest):
+    """The direction with its angle, from a number of quarter turns on."""
+    return rest._replace(quarters=quarters, angle=quarters * (pi / 2) + rest.extra)
+
+
+def beside_field_each(beta, eta, lean):
+    """The hill between force and field, for a field at ``lean`` in (0, π/4]."""
+    back = rising_root_each(lambda y: twist_each(eta, y) - beta * each_sin(lean - y), 0 * lean, lean)
+    return Rest(
+        0,
+        lean - back,
+        0,
+        beta * each_cos(lean - back) + eta * each_cos(2 * back),
+        each_cos(2 * back),
+        -each_sin(2 * back),
+    )
+
+
+def beside_force_each(beta, eta, lean):
+    """The well between the normal of the field and the opposite of the force, for the same: by what it is from the
+    nearer one of these."""
+    most = pi / 2 - lean
+    on = side_couple_each(beta, eta, lean, most / 2) < 0  # whether it is nearer to the normal
+    # Under a force no weaker than the field it is no further from its opposite than where both would be level.
+    level = each_pick(on | (beta < eta), most, 2 * lean ** (1 / 3))
+    part = rising_root_each(
+        lambda x: each_pick(on, twist_each(eta, x) - beta * each_cos(lean + x), side_couple_each(beta, eta, lean, x)),
+        0 * lean,
+        each_pick(level < most, level, most),
+    )
+    gap, double = each_pick(on, most - part, part), 2 * each_pick(on, part, lean + part)
+    along, across = (
+        each_pick(on, each_sin(part), each_cos(lean + part)),
+        each_pick(on, each_cos(part), each_sin(lean + part)),
+    )
+    weak = 2 * eta < beta  # then it is next to the force, and nothing cancels
+    stiffness = force_stiffness_each(
+        eta, lean, along, across, each_pick(weak, 1, larger(each_sin(gap), epsilon() ** 19))
+    )
+    stiffness = each_pick(weak, beta * each_cos(gap) - eta * each_cos(double), stiffness)
+    return Rest(2, -gap, 0, -stiffness, each_cos(double) * each_pick(on, -1, 1), -each_sin(double))
+
+
+def side_couple_each(beta, eta, lean, gap):
+    """The couple on a rod at π − gap."""
+    turn = lean + gap
+    return force_balance_each(
+        beta, eta, each_sin(gap), each_sin(lean / 2), each_cos(gap + lean / 2), each_sin(turn), each_sin(turn / 2)
+    )
 
 
 def oblique_double_each(beta, eta, field_angle):
     """A field angle in (0, π/2), and a second pair: a ridge and a well."""
     hill, well, again = oblique_single_each(beta, eta, field_angle).rests
-    cusp = astroid_cusp_each(field_angle)
+    steep = field_angle > pi / 4
+    lean = each_pick(steep, -each_less_quarters(field_angle, 1), field_angle)
+    low, high = pair_rests_each(beta, eta, lean)
+    if any_of(steep):
+        # The same pair, seen from the force's direction a turn on.
+        back = [turned_back_each(rest) for rest in (high, low)]
+        back = [rest._replace(extra=rest.extra + pi) for rest in back]
+        low, high = (pick_rest_each(steep, *pair) for pair in zip(back, (low, high), strict=True))
+    return Landscape((hill, well, rest_of_each(2, low), rest_of_each(2, high), again), False, False)
 
-    def couple(x):
-        return ridge_couple_each(beta, eta, field_angle, x)
 
-    ridge = rest_at_each(beta, eta, field_angle, 2, field_angle + rising_root_each(couple, 0 * field_angle, cusp))
-    second = rest_at_each(
-        beta, eta, field_angle, 2, field_angle + rising_root_each(couple, pi / 2 + 0 * field_angle, cusp)
+def pair_rests_each(beta, eta, lean):
+    """The pair at π + lean + x, x to either side of the cusp: by what x is from there, or from zero if that is less."""
+    cusp = astroid_cusp_each(lean)
+    place, couple = lean + cusp, couple_beyond_each(beta, eta, lean, cusp)
+    stiffness = couple * each_cos(place) / each_sin(place)
+
+    def beside(u):
+        sines = (
+            each_sin(u / 2),
+            each_sin(u / 4),
+            each_sin(3 * u / 4),
+            each_sin(2 * cusp + u / 4),
+            each_sin(2 * cusp + 3 * u / 4),
+        )
+        return cusp_couple_each(beta, eta, couple, stiffness, *sines, each_sin(place + u / 4))
+
+    near = couple_beyond_each(beta, eta, lean, cusp / 2) > 0
+    first = rising_root_each(
+        lambda x: each_pick(near, couple_beyond_each(beta, eta, lean, x), beside(-x)),
+        each_pick(near, 0, cusp),
+        each_pick(near, cusp, 0),
     )
-    return Landscape((hill, well, ridge, second, again), False, False)
+    low = pair_rest_each(eta, lean, cusp, each_pick(near, first, cusp - first), each_pick(near, first - cusp, -first))
+    last = rising_root_each(beside, pi / 2 - cusp, 0 * lean)
+    return low, pair_rest_each(eta, lean, cusp, cusp + last, last)
+
+
+def pair_rest_each(eta, lean, cusp, turn, beside):
+    """The direction at π + lean + turn, turn = cusp + beside."""
+    along, across = each_cos(cusp) * each_sin(turn), each_sin(cusp) * each_cos(turn)
+    stiffness = pair_stiffness_each(
+        eta, each_cos(lean), each_cos(cusp), each_sin(beside), along, across, each_sin(lean + turn)
+    )
+    return Rest(2, lean + turn, 0, stiffness, each_cos(2 * turn), each_sin(2 * turn))
+
+
+def couple_beyond_each(beta, eta, lean, turn):
+    """The couple on a rod at π + lean + turn, greatest at the cusp; of a weak force as it stands."""
+    known = each_sin(lean + turn), each_sin(lean / 2), each_cos(turn + lean / 2), each_sin(turn), each_sin(turn / 2)
+    return each_pick(2 * beta < eta, twist_each(eta, turn) - beta * known[0], pair_couple_each(beta, eta, *known))
+
+
+def pick_rest_each(condition, yes, no):
+    """One or the other direction, number by number."""
+    return Rest(*(each_pick(condition, *pair) for pair in zip(yes, no, strict=True)))
 
 
 def astroid_cusp_each(field_angle):
@@ -189,7 +301,10 @@ def rising_root_each(function, low, high):
         value = function(middle)
         size = each_sqrt(larger(value * value - value_low * value_high, 0))
         exact = (value == 0) | (size == 0)
-        trial = each_pick(exact, middle, middle + (middle - low) * (-value / each_pick(exact, 1, size)))
+        size = each_pick(exact, 1, size)
+        # By the distance from the low end, which may be far less than the interval.
+        share = each_pick(value > 0, -value_low * value_high / (size * (size + larger(value, 0))), 1 - value / size)
+        trial = each_pick(exact, middle, low + (middle - low) * share)
         value_trial = function(trial)
         settled, last = each_abs(trial - last) <= 4 * epsilon() * each_abs(trial), each_pick(moving, trial, last)
         low, high, value_low, value_high = narrowed_each(low, high, value_low, value_high, middle, value)

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 730c510efc995b2c942fc9c83bd268468dd8f026b91518a0bb938ec4193623f4
+Digest of the inputs: sha256 d9665f93fed640c5f87acbd42ab64cd46d0566dcd938388972ec161db2876065
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from derive.emit.kernels.array_arithmetic import (
 )
 from derive.emit.kernels.motion import Motion
 from derive.emit.kernels.pieces import Piece
-from derive.emit.kernels.pieces_each import fall_each, onward_each, reach_each, slope_each
+from derive.emit.kernels.pieces_each import fall_each, onward_each, reach_each, slope_each, turn_to_each
 from derive.emit.kernels.potential_each import fall_from_rest_each, moment_from_rest_each
 
 
@@ -46,18 +46,16 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
     height = fall_from_rest_each(eta, stiffness, double_cosine, double_sine, offset + change, change)
     done = piece.clamp_gap + drop
     if basin.even:
-        half_width = depth + (basin.axis.angle - well.angle)
+        half_width = depth + turn_to_each(well, basin.axis)
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
         far_moment, far_distance = near_moment, from_hill
     elif any_of(field_angle == 0) and not basin.passes:
         half_width, left, far_moment, far_distance = parallel_side_each(beta, eta, piece, rise, drop, from_hill, depth)
     else:
-        half_width, left, far_moment, far_distance = far_side_each(eta, piece, rise, drop, depth, done)
-        # Where a hill and a well nearly meet, rounding leaves nothing, or less, of a moment.
-        near_moment = larger(near_moment, 4 * epsilon() * each_abs(offset))
+        half_width, left, far_moment, far_distance = far_side_each(eta, piece, rise, drop, depth, done, height)
+        near_moment = larger(near_moment, least_moment_each(basin) * each_abs(offset))
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
-    whole_turn = basin.far.quarters - hill.quarters == 4 and basin.far.extra == hill.extra
-    lack = (from_hill + far_distance) / 2 if whole_turn else pi - half_width
+    lack = (from_hill + far_distance) / 2 if basin.whole else pi - half_width
     sine = each_sin(each_pick(lack < half_width, lack, half_width))
     near, far = 2 * near_moment / sine, 2 * far_moment / sine
     uneven = 0 if basin.even else unevenness_each(eta, field_angle, tip + half_width, sine, near, far)
@@ -65,7 +63,8 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
     done_sine = each_sin(each_pick(done > pi, lack + left / 2, done / 2))
     left_sine = each_sin(each_pick(left > pi, lack + done / 2, left / 2))
     half_cosine = each_sin(lack / 2)
-    end, middle = rates_each(beta, eta, field_angle, basin, tip, half_width, sine, near, far, height)
+    centre = half_width - depth - turn_to_each(well, basin.axis)
+    end, middle = rates_each(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height)
     return Motion(
         tip,
         half_width,
@@ -106,12 +105,14 @@ def parallel_side_each(beta, eta, piece, rise, drop, from_hill, depth):
     # sin² and cos² of half the distance from the far turning point to the far hill.
     low, high = each_sqrt(larger(low, 0)), each_sqrt(larger(high, 0))
     distance = 2 * each_atan2(low, high)
-    down = basin.far.angle - basin.far_well.angle
+    down = turn_to_each(basin.far_well, basin.far)
     dip = each_sin(from_hill + depth / 2) * each_sin(depth / 2)
     up = 2 * each_asin(within_each(dip / each_sin((down + distance) / 2)))
     if piece.high_kind == "turn":
         share = each_sin(from_hill + drop / 2) * each_sin(drop / 2) / each_sin((piece.far_gap + distance) / 2)
-        left = 2 * each_asin(within_each(share))
+        # The clamp's own distance from the hill is exact, the range's width is not.
+        rough = piece.far_gap - distance
+        left = each_pick(rough > 0.25 * piece.far_gap, rough, 2 * each_asin(within_each(share)))
     else:
         left = up + piece.high_depth
     return (up + depth) / 2, left, 4 * eta * dip * low * high, distance
@@ -122,36 +123,39 @@ def within_each(sine):
     return each_pick(sine < 1, sine, 1)
 
 
-def far_side_each(eta, piece, rise, drop, depth, done):
+def far_side_each(eta, piece, rise, drop, depth, done, height):
     """Half the width of the motion, how far it goes on beyond the clamp, and the moment where it turns."""
     basin = piece.basin
     hill, well, far, far_well = basin.hill, basin.well, basin.far, basin.far_well
-    down = far.angle - far_well.angle
+    down = turn_to_each(far_well, far)
     if piece.low_kind == "level":
         below = fall_each(eta, hill, piece.low_offset, rise)
     else:
         below = basin.far_rise + fall_each(eta, hill, 0, rise)
     if basin.passes:
-        # Not below the ridge, however near it is to the well behind it.
-        ridge = fall_each(eta, basin.axis, 0, far_well.angle - basin.axis.angle)
-        above = larger(-fall_each(eta, far_well, 0, down) - below, ridge)
+        # Above the ridge by its height, and the ridge above the well behind it.
+        above = height + fall_each(eta, basin.axis, 0, turn_to_each(basin.axis, far_well))
     else:
         above = -fall_each(eta, well, 0, -depth)
     by_hill = below < above
     distance = reach_either_each(eta, far, far_well, by_hill, each_pick(by_hill, below, above), down)
     turn = each_pick(by_hill, down - distance, distance)  # far turning point − far_well
-    # clamp − far_well
-    clamp_turn = down - piece.far_gap if basin.passes else piece.clamp_gap - piece.high_depth
-    left = each_pick(by_hill, piece.far_gap - distance, distance - clamp_turn)
+    left = each_pick(by_hill, piece.far_gap - distance, distance - piece.beyond_well)
     if basin.passes:
-        half_width = (turn + depth + (far_well.angle - well.angle)) / 2
+        half_width = (turn + depth + turn_to_each(well, far_well)) / 2
     else:
         half_width = (turn + depth) / 2
     far_moment = each_pick(by_hill, slope_each(eta, far, -distance), slope_each(eta, far_well, distance)) * -1
-    far_moment = larger(far_moment, 4 * epsilon() * distance)
+    far_moment = larger(far_moment, least_moment_each(basin) * distance)
     if piece.high_kind == "turn":
         left = larger(beyond_clamp_each(eta, piece, drop, left), 0)
     return half_width, left, far_moment, each_pick(by_hill, distance, down - distance)
+
+
+def least_moment_each(basin):
+    """What rounding leaves at least of a moment, by the distance from the direction that tells it: where a hill and a
+    well all but meet, and are not among the directions that are told, it would leave nothing, or less."""
+    return epsilon() ** 2 if basin.passes or not basin.whole else 4 * epsilon()
 
 
 def reach_either_each(eta, hill, well, by_hill, amount, most):
@@ -179,48 +183,51 @@ def beyond_clamp_each(eta, piece, drop, rough):
     return each_pick(far | (each_abs(better - rough) > 0.01), rough, better)
 
 
-def rates_each(beta, eta, field_angle, basin, tip, half_width, sine, near, far, height):
-    """dχ/dσ at the ends and in the middle of the motion."""
-    middle, cosine = tip + half_width, each_cos(half_width)
-    double = 2 * (middle - field_angle)
-    cos_middle, cos_double = each_cos(middle), each_cos(double)
+def rates_each(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height):
+    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle."""
+    middle, cosine = basin.axis.angle + centre, each_cos(half_width)
+    cos_middle, cos_double = each_cos(middle), each_cos(2 * (middle - field_angle))
     product = each_sqrt(near) * each_sqrt(far)
     excess = -(2 * beta * cos_middle * cosine + eta * cos_double * (1 + cosine * cosine))
     split, rate = excess < 0, each_sqrt(product + larger(excess, 0))
     if any_of(split):
         mean = -(2 * beta * cos_middle + eta * cosine * cos_double)
-        apart = mean_less_field_each(eta, field_angle, basin, middle, half_width, double, near, far, height, mean)
+        apart = mean_less_field_each(eta, basin, centre, half_width, near, far, height, mean)
         rate = each_pick(split, sine * each_sqrt(apart * (mean + eta) / each_pick(split, product - excess, 1)), rate)
     return each_sqrt(product / 2), rate / 2
 
 
-def mean_less_field_each(eta, field_angle, basin, middle, half_width, double, near, far, height, mean):
+def mean_less_field_each(eta, basin, centre, half_width, near, far, height, mean):
     """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
     level."""
     apart = mean - eta
     close = apart <= 0.1 * eta
     if any_of(close):
-        ahead, behind = each_sin(half_width / 2 + double / 2), each_sin(half_width / 2 - double / 2)
+        # 2(axis − α), and 2(middle − α).
+        axis = each_atan2(basin.axis.double_sine, basin.axis.double_cosine)
+        double = wrapped_each(axis + 2 * centre)
+        ahead, behind = each_sin((half_width + double) / 2), each_sin((half_width - double) / 2)
         by_far, by_near = far - 2 * eta * ahead * ahead, near - 2 * eta * behind * behind
         known = each_pick(2 * by_far > far, by_far, by_near)
         far_off = close & (2 * by_far <= far) & (2 * by_near <= near)
         if any_of(far_off):
-            known = each_pick(far_off, above_field_each(eta, basin, middle, half_width, field_angle, height), known)
+            known = each_pick(
+                far_off, above_field_each(eta, basin, wrapped_each(-axis - centre), ahead * behind, height), known
+            )
         apart = each_pick(close, known, apart)
     # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.
     least = larger(height, epsilon() ** 19) if basin.passes else epsilon() * each_pick(near < far, near, far) / 4
     return larger(apart, least)
 
 
-def above_field_each(eta, basin, middle, half_width, field_angle, height):
+def above_field_each(eta, basin, offset, turn, height):
     """``mean`` less η where they are near each other: 2(V(tip) − V)/(cos(θ − middle) − cos(half_width)) at the θ at
-    which it is least, which lies then near the ridge or the well. height: from there to the tip."""
-    shift = wrapped_each(2 * (field_angle - middle))
-    offset = wrapped_each(middle + shift - basin.axis.angle)
+    which it is least, which lies then near the ridge or the well, at an offset from it.
+
+    turn: half of what it is divided by. height: V(tip) less that of the ridge or the well.
+    """
     # As near the ridge as rounding it is nearer still: it is there to the second order in the height.
     offset = each_pick(each_abs(offset) < 32 * each_spacing(offset), 0, offset)
-    outer, inner = each_sin(half_width / 2), each_sin(shift / 2)
-    turn = outer * outer - inner * inner
     return (height + fall_each(eta, basin.axis, 0, offset)) / each_pick(turn == 0, 1, turn)
 
 

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import any_of, asin, cos, epsilon, floor, larger, pi, pick, sin, spacing, sqrt
 from derive.emit.kernels.formulas import rest_fall, rest_moment
-from derive.emit.kernels.landscape import Landscape, Rest, offset_from
+from derive.emit.kernels.landscape import Landscape, Rest, offset_from, pick_rest
 from derive.emit.kernels.potential import fall_from_rest, moment_from_rest
 
 
@@ -20,7 +20,7 @@ class Basin(NamedTuple):
     that stops the motion and the last well before it, and the direction where it is slowest between its ends: the
     ridge that it passes, or the well.
 
-    far_rise: V(far) − V(hill). even: the motion is symmetric about its middle.
+    far_rise: V(far) − V(hill). even: the motion is symmetric about its middle. whole: far is the hill a turn on.
     """
 
     hill: Rest
@@ -31,6 +31,7 @@ class Basin(NamedTuple):
     far_rise: float
     passes: bool
     even: bool
+    whole: bool
 
 
 class Piece(NamedTuple):
@@ -51,6 +52,7 @@ class Piece(NamedTuple):
     clamp_rest: Rest  # the direction next to the clamp
     clamp_offset: float  # clamp − that direction
     far_gap: float  # far − clamp
+    beyond_well: float  # clamp − far_well
 
 
 class Clamp(NamedTuple):
@@ -70,6 +72,11 @@ def clamp_in(rests, angle):
             break
         turns = turns + shift
     return Clamp(turns, offsets)
+
+
+def turn_to(start, end):
+    """The angle from one direction without moment to another, however near they are to each other."""
+    return (end.quarters - start.quarters) * (pi / 2) + (end.extra - start.extra)
 
 
 def fall(eta, rest, start, change):
@@ -152,8 +159,9 @@ def ridge_fall(beta, eta, field_angle, hill, ridge):
 class Ground(NamedTuple):
     """What the ranges of a rod are told by: its landscape and the clamp's offsets from the directions there.
 
-    drop: V(hill) − V(ridge); level: from the hill to the level of the ridge; height: V(ridge) − V(clamp). They are 0
-    where no ridge is lower than the hill.
+    drop: V(hill) − V(ridge); level: from the hill to the level of the ridge, depth: from there to the well; by_hill:
+    level is told by the hill, depth by the well if not; height: V(ridge) − V(clamp). They are 0 where no ridge is lower
+    than the hill.
     """
 
     eta: float
@@ -161,6 +169,8 @@ class Ground(NamedTuple):
     at: tuple[float, ...]
     drop: float
     level: float
+    depth: float
+    by_hill: bool
     height: float
 
 
@@ -178,21 +188,21 @@ def ground_of(beta, eta, field_angle, scene, clamp):
 
 def level_ground(eta, scene, at):
     """The ground without a ridge lower than the hill."""
-    return Ground(eta, scene, at, 0, 0, 0)
+    return Ground(eta, scene, at, 0, 0, 0, True, 0)
 
 
 def ridge_ground(eta, scene, at, drop):
     """The ground with a lower ridge."""
     rests = scene.rests
-    down, above = rests[1].angle - rests[0].angle, fall(eta, rests[2], 0, rests[1].angle - rests[2].angle)
+    down, above = turn_to(rests[0], rests[1]), fall(eta, rests[2], 0, turn_to(rests[2], rests[1]))
     # Of a ridge that is next to its wells V tells at the hill nothing.
     by_hill = drop < above
     rest, amount = pick_rest(by_hill, rests[0], rests[1]), pick(by_hill, drop, above)
     distance = reach(eta, rest, amount, down, pick(by_hill, 1, -1))
-    level = pick(by_hill, distance, down - distance)
+    level, depth = pick(by_hill, distance, down - distance), pick(by_hill, down - distance, distance)
     # Near the far hill V says which is higher only by the distance from that hill.
     height = pick(at[2] < -at[4], fall(eta, rests[2], 0, at[2]), fall(eta, rests[4], 0, at[4]) - drop)
-    return Ground(eta, scene, at, drop, level, height)
+    return Ground(eta, scene, at, drop, level, depth, by_hill, height)
 
 
 def pieces(beta, eta, field_angle, scene, clamp):
@@ -229,14 +239,15 @@ def basin_of(ground, first):
     """The basin between two neighbouring hills."""
     scene = ground.scene
     hill, well, far = scene.rests[first : first + 3]
-    even = scene.even and (scene.level or len(scene.rests) == 3)
-    return Basin(hill, well, far, well, well, ground.drop if first else 0, False, even)
+    whole = len(scene.rests) == 3
+    even = scene.even and (scene.level or whole)
+    return Basin(hill, well, far, well, well, ground.drop if first else 0, False, even, whole)
 
 
 def over_ridge(ground):
     """What stops a motion that passes the ridge."""
     hill, well, ridge, second, far = ground.scene.rests
-    return Basin(hill, well, far, second, ridge, 0, True, ground.scene.even)
+    return Basin(hill, well, far, second, ridge, 0, True, ground.scene.even, True)
 
 
 def first_clamp(ground):
@@ -266,7 +277,7 @@ def from_hill_to_clamp(basin, at):
 
 def from_hill_to_turn(eta, basin, at):
     """From a hill to where the rod turns back at a clamp beyond the well."""
-    down, depth = basin.well.angle - basin.hill.angle, at[1]
+    down, depth = turn_to(basin.hill, basin.well), at[1]
     width = -at[2]
     if not basin.even:
         above = -fall(eta, basin.well, 0, at[1])
@@ -287,7 +298,7 @@ def level_clamp(ground):
 def level_turn(ground):
     """From the level of the ridge to where the rod turns back at the clamp, before the ridge."""
     eta, basin, level, at = ground.eta, basin_of(ground, 0), ground.level, ground.at
-    down = basin.well.angle - basin.hill.angle
+    down = turn_to(basin.hill, basin.well)
     above, below = -fall(eta, basin.well, 0, at[1]), fall(eta, basin.far, 0, at[2])
     from_well = reach(eta, basin.well, above, down, -1)
     # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
@@ -305,19 +316,29 @@ def pass_clamp(ground):
 
 def pass_level(ground):
     """From the highest hill to the level of the ridge."""
-    over, level, at = over_ridge(ground), ground.level, ground.at
-    return piece_of(over, "hill", "level", 0, level, over.well.angle - over.hill.angle - level, at[0] - level, 0, at)
+    level, depth, at = ground.level, ground.depth, ground.at
+    gap = pick(ground.by_hill, at[0] - level, at[1] + depth)
+    return piece_of(over_ridge(ground), "hill", "level", 0, level, depth, gap, 0, at)
 
 
 def pass_turn(ground):
     """From the highest hill to where the rod turns back at a clamp above the level of the ridge, beyond it."""
     eta, over, level, at = ground.eta, over_ridge(ground), ground.level, ground.at
-    down = over.well.angle - over.hill.angle
-    width = -at[4] if over.even else reach(eta, over.hill, fall(eta, over.far, 0, at[4]), down, 1)
+    down, below = turn_to(over.hill, over.well), fall(eta, over.far, 0, at[4])
+    # V of the clamp above the first well: above the ridge, and the ridge above the well.
+    above = fall(eta, over.axis, 0, turn_to(over.axis, over.well)) - ground.height
+    by_hill = below < above
+    rest, amount = pick_rest(by_hill, over.hill, over.well), pick(by_hill, below, above)
+    distance = reach(eta, rest, amount, down, pick(by_hill, 1, -1))
+    width, depth = pick(by_hill, distance, down - distance), pick(by_hill, down - distance, distance)
+    if over.even:
+        width = -at[4]
     # Towards the hill V is flat and tells little, but there the angles tell all.
-    near = width >= level / 2
-    gap = pick(near, -onward(eta, over.hill, level, ground.height, width - level, near), level - width)
-    return piece_of(over, "hill", "turn", 0, width, down - width, at[0] - width, gap, at)
+    near, apart = width >= level / 2, pick(by_hill, level - width, depth - ground.depth)
+    start = pick(ground.by_hill, level, -ground.depth)
+    rest = pick_rest(ground.by_hill, over.hill, over.well)
+    gap = pick(near, -onward(eta, rest, start, ground.height, -apart, near), apart)
+    return piece_of(over, "hill", "turn", 0, width, depth, pick(by_hill, at[0] - width, at[1] + depth), gap, at)
 
 
 def piece_of(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, at):
@@ -328,10 +349,6 @@ def piece_of(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_ga
         closer = abs(distance) < abs(offset)
         if any_of(closer):
             rest, offset = pick_rest(closer, other, rest), pick(closer, distance, offset)
-    last = at[len(rests) - 1]
-    return Piece(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last)
-
-
-def pick_rest(condition, yes, no):
-    """One or the other direction, number by number."""
-    return Rest(*(pick(condition, *pair) for pair in zip(yes, no, strict=True)))
+    beyond, last = at[len(rests) - 2 : len(rests)]
+    ends = low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap
+    return Piece(basin, *ends, rest, offset, -last, beyond)

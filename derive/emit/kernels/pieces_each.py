@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/pieces.py: do not edit, change that file.
 
-Digest of the inputs: sha256 1b1a598966fb0349c8793e3009b7456e905746631248893c95ad789e37f340bc
+Digest of the inputs: sha256 8817c27fbfa37a1bc19967c5f9ff308bbd9308f6cf889e2b7784dbee7a946112
 """
 
 from __future__ import annotations
@@ -21,8 +21,7 @@ from derive.emit.kernels.array_arithmetic import (
     larger,
 )
 from derive.emit.kernels.formulas_each import rest_fall_each, rest_moment_each
-from derive.emit.kernels.landscape import Rest
-from derive.emit.kernels.landscape_each import offset_from_each
+from derive.emit.kernels.landscape_each import offset_from_each, pick_rest_each
 from derive.emit.kernels.pieces import Basin, Clamp, Ground, Piece
 from derive.emit.kernels.potential_each import fall_from_rest_each, moment_from_rest_each
 
@@ -37,6 +36,11 @@ def clamp_in_each(rests, angle):
             break
         turns = turns + shift
     return Clamp(turns, offsets)
+
+
+def turn_to_each(start, end):
+    """The angle from one direction without moment to another, however near they are to each other."""
+    return (end.quarters - start.quarters) * (pi / 2) + (end.extra - start.extra)
 
 
 def fall_each(eta, rest, start, change):
@@ -130,21 +134,21 @@ def ground_of_each(beta, eta, field_angle, scene, clamp):
 
 def level_ground_each(eta, scene, at):
     """The ground without a ridge lower than the hill."""
-    return Ground(eta, scene, at, 0, 0, 0)
+    return Ground(eta, scene, at, 0, 0, 0, True, 0)
 
 
 def ridge_ground_each(eta, scene, at, drop):
     """The ground with a lower ridge."""
     rests = scene.rests
-    down, above = rests[1].angle - rests[0].angle, fall_each(eta, rests[2], 0, rests[1].angle - rests[2].angle)
+    down, above = turn_to_each(rests[0], rests[1]), fall_each(eta, rests[2], 0, turn_to_each(rests[2], rests[1]))
     # Of a ridge that is next to its wells V tells at the hill nothing.
     by_hill = drop < above
     rest, amount = pick_rest_each(by_hill, rests[0], rests[1]), each_pick(by_hill, drop, above)
     distance = reach_each(eta, rest, amount, down, each_pick(by_hill, 1, -1))
-    level = each_pick(by_hill, distance, down - distance)
+    level, depth = each_pick(by_hill, distance, down - distance), each_pick(by_hill, down - distance, distance)
     # Near the far hill V says which is higher only by the distance from that hill.
     height = each_pick(at[2] < -at[4], fall_each(eta, rests[2], 0, at[2]), fall_each(eta, rests[4], 0, at[4]) - drop)
-    return Ground(eta, scene, at, drop, level, height)
+    return Ground(eta, scene, at, drop, level, depth, by_hill, height)
 
 
 def pieces_each(beta, eta, field_angle, scene, clamp):
@@ -181,14 +185,15 @@ def basin_of_each(ground, first):
     """The basin between two neighbouring hills."""
     scene = ground.scene
     hill, well, far = scene.rests[first : first + 3]
-    even = scene.even and (scene.level or len(scene.rests) == 3)
-    return Basin(hill, well, far, well, well, ground.drop if first else 0, False, even)
+    whole = len(scene.rests) == 3
+    even = scene.even and (scene.level or whole)
+    return Basin(hill, well, far, well, well, ground.drop if first else 0, False, even, whole)
 
 
 def over_ridge_each(ground):
     """What stops a motion that passes the ridge."""
     hill, well, ridge, second, far = ground.scene.rests
-    return Basin(hill, well, far, second, ridge, 0, True, ground.scene.even)
+    return Basin(hill, well, far, second, ridge, 0, True, ground.scene.even, True)
 
 
 def first_clamp_each(ground):
@@ -218,7 +223,7 @@ def from_hill_to_clamp_each(basin, at):
 
 def from_hill_to_turn_each(eta, basin, at):
     """From a hill to where the rod turns back at a clamp beyond the well."""
-    down, depth = basin.well.angle - basin.hill.angle, at[1]
+    down, depth = turn_to_each(basin.hill, basin.well), at[1]
     width = -at[2]
     if not basin.even:
         above = -fall_each(eta, basin.well, 0, at[1])
@@ -239,7 +244,7 @@ def level_clamp_each(ground):
 def level_turn_each(ground):
     """From the level of the ridge to where the rod turns back at the clamp, before the ridge."""
     eta, basin, level, at = ground.eta, basin_of_each(ground, 0), ground.level, ground.at
-    down = basin.well.angle - basin.hill.angle
+    down = turn_to_each(basin.hill, basin.well)
     above, below = -fall_each(eta, basin.well, 0, at[1]), fall_each(eta, basin.far, 0, at[2])
     from_well = reach_each(eta, basin.well, above, down, -1)
     # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
@@ -257,21 +262,31 @@ def pass_clamp_each(ground):
 
 def pass_level_each(ground):
     """From the highest hill to the level of the ridge."""
-    over, level, at = over_ridge_each(ground), ground.level, ground.at
-    return piece_of_each(
-        over, "hill", "level", 0, level, over.well.angle - over.hill.angle - level, at[0] - level, 0, at
-    )
+    level, depth, at = ground.level, ground.depth, ground.at
+    gap = each_pick(ground.by_hill, at[0] - level, at[1] + depth)
+    return piece_of_each(over_ridge_each(ground), "hill", "level", 0, level, depth, gap, 0, at)
 
 
 def pass_turn_each(ground):
     """From the highest hill to where the rod turns back at a clamp above the level of the ridge, beyond it."""
     eta, over, level, at = ground.eta, over_ridge_each(ground), ground.level, ground.at
-    down = over.well.angle - over.hill.angle
-    width = -at[4] if over.even else reach_each(eta, over.hill, fall_each(eta, over.far, 0, at[4]), down, 1)
+    down, below = turn_to_each(over.hill, over.well), fall_each(eta, over.far, 0, at[4])
+    # V of the clamp above the first well: above the ridge, and the ridge above the well.
+    above = fall_each(eta, over.axis, 0, turn_to_each(over.axis, over.well)) - ground.height
+    by_hill = below < above
+    rest, amount = pick_rest_each(by_hill, over.hill, over.well), each_pick(by_hill, below, above)
+    distance = reach_each(eta, rest, amount, down, each_pick(by_hill, 1, -1))
+    width, depth = each_pick(by_hill, distance, down - distance), each_pick(by_hill, down - distance, distance)
+    if over.even:
+        width = -at[4]
     # Towards the hill V is flat and tells little, but there the angles tell all.
-    near = width >= level / 2
-    gap = each_pick(near, -onward_each(eta, over.hill, level, ground.height, width - level, near), level - width)
-    return piece_of_each(over, "hill", "turn", 0, width, down - width, at[0] - width, gap, at)
+    near, apart = width >= level / 2, each_pick(by_hill, level - width, depth - ground.depth)
+    start = each_pick(ground.by_hill, level, -ground.depth)
+    rest = pick_rest_each(ground.by_hill, over.hill, over.well)
+    gap = each_pick(near, -onward_each(eta, rest, start, ground.height, -apart, near), apart)
+    return piece_of_each(
+        over, "hill", "turn", 0, width, depth, each_pick(by_hill, at[0] - width, at[1] + depth), gap, at
+    )
 
 
 def piece_of_each(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, at):
@@ -282,10 +297,6 @@ def piece_of_each(basin, low_kind, high_kind, low_offset, width, high_depth, cla
         closer = each_abs(distance) < each_abs(offset)
         if any_of(closer):
             rest, offset = pick_rest_each(closer, other, rest), each_pick(closer, distance, offset)
-    last = at[len(rests) - 1]
-    return Piece(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last)
-
-
-def pick_rest_each(condition, yes, no):
-    """One or the other direction, number by number."""
-    return Rest(*(each_pick(condition, *pair) for pair in zip(yes, no, strict=True)))
+    beyond, last = at[len(rests) - 2 : len(rests)]
+    ends = low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap
+    return Piece(basin, *ends, rest, offset, -last, beyond)

@@ -4,20 +4,20 @@ from __future__ import annotations
 
 from derive.emit.kernels.arithmetic import ceil, deepest, epsilon, exp, log, pi, sqrt
 from derive.emit.kernels.landscape import astroid_cusp, ridge_couple
-from derive.emit.kernels.pieces import fall, reach, slope
+from derive.emit.kernels.pieces import fall, reach, slope, turn_to
 
 
 def places(beta, eta, field_angle, length, piece):
     """Places to begin with, closer around the level at which the motion meets a ridge that is not quite there."""
     found, basin = grid(beta, eta, length, piece), piece.basin
-    if basin.even or basin.passes or piece.low_kind == "level" or basin.far.quarters - basin.hill.quarters != 4:
+    if basin.even or basin.passes or piece.low_kind == "level" or not basin.whole:
         return found
     angle = abs(field_angle)
     cusp = angle + pi + astroid_cusp(angle)
     # How far η is below the value at which the ridge would appear.
     missing = max(-ridge_couple(beta, eta, angle, astroid_cusp(angle)) / (beta + eta), epsilon())
     cusp = cusp if field_angle > 0 else 2 * pi - cusp
-    down = basin.well.angle - basin.hill.angle
+    down = turn_to(basin.hill, basin.well)
     rise = reach(eta, basin.hill, fall(eta, basin.hill, 0, cusp - basin.hill.angle), down, 1)
     if missing > 0.3 or not 0 < rise < piece.width:
         return found
@@ -55,10 +55,12 @@ def grid(beta, eta, length, piece):
 def least_arrival(beta, eta, piece, place):
     """A length before which no motion from a place, or from a lower one, arrives.
 
-    θ″ is nowhere more than β + η/2, and at an offset from the hill no more than β + η times that: a motion that has
-    the lesser of these two gets ahead of it.
+    θ″ is nowhere more than β + η/2, and at an offset from the hill no more than β + η times that, or than its stiffness
+    times that where the field is along it: a motion that has the lesser of these two gets ahead of it.
     """
-    steep, most = beta + eta, beta + eta / 2
+    hill = piece.basin.hill
+    # β + η cos u and η cos u − β by sin u: both are largest at u = 0.
+    steep, most = hill.stiffness if hill.double_cosine == 1 else beta + eta, beta + eta / 2
     share = 1 / (1 + exp(-max(place, -deepest(piece.width))))
     offset = piece.low_offset + piece.width * share
     clamp = piece.low_offset + piece.width + piece.clamp_gap

@@ -6,37 +6,56 @@ from derive.emit.kernels.arithmetic import epsilon, sqrt
 
 
 def bracketed_root(function, places, values, blur):
-    """A sign change of the function between the first two places, to rounding, by Chandrupatla's method (1997).
+    """A sign change of the function between the first two places, to rounding.
 
-    If there is a third place, it has a value, too. blur: a value that rounding may have made of zero.
+    By the zero of the polynomial through the last five places at which the function is known, or by halving where that
+    gains little. More places may be known than two. blur: a value that rounding may have made of zero.
     """
-    (a, b, *third), (value_a, value_b, *value_third) = places, values
-    fraction = interpolated(a, b, third[0], value_a, value_b, value_third[0]) if third else 0.5
+    nodes, parts = (), ()
+    for place, value in zip(reversed(places), reversed(values), strict=True):
+        nodes, parts = with_node(nodes, parts, place, value)
+    (a, b, *_), (value_a, value_b, *_) = places, values
+    halve = False
     while True:
-        trial = a + fraction * (b - a)
+        if abs(value_b) < abs(value_a):
+            a, b, value_a, value_b = b, a, value_b, value_a
+        least, width = 2 * epsilon() * (1 + abs(a)), abs(b - a)
+        if 2 * least > width or abs(value_a) <= blur:
+            return a
+        share = 0.5 if halve else (zero_near(nodes, parts) - a) / (b - a)
+        if 2 * abs(share) * width < least:
+            return a
+        share = max(least / width, share) if 0 < share < 1 else 0.5
+        trial = a + min(1 - least / width, share) * (b - a)
         value = function(trial)
+        nodes, parts = with_node(nodes, parts, trial, value)
+        little = 4 * abs(value) > abs(value_a)
         if (value > 0) == (value_a > 0):
-            c, value_c = a, value_a
+            a, value_a = trial, value
         else:
-            c, value_c, b, value_b = b, value_b, a, value_a
-        a, value_a = trial, value
-        best, value_best = (a, value_a) if abs(value_a) < abs(value_b) else (b, value_b)
-        least = 2 * epsilon() * (1 + abs(best)) / abs(b - a)
-        if least > 0.5 or abs(value_best) <= blur:
-            return best
-        fraction = min(1 - least, max(least, interpolated(a, b, c, value_a, value_b, value_c)))
+            b, value_b = trial, value
+        halve = little and 2 * abs(b - a) > width
 
 
-def interpolated(a, b, c, value_a, value_b, value_c):
-    """Where on the way from a to b inverse quadratic interpolation puts the zero, or half way where it is unsafe."""
-    if value_c in (value_a, value_b):
-        return 0.5
-    x, y = (a - b) / (c - b), (value_a - value_b) / (value_c - value_b)
-    if x <= 0 or y * y >= x or (1 - y) * (1 - y) >= 1 - x:
-        return 0.5
-    share = value_a / (value_b - value_a) * value_c / (value_b - value_c)
-    share = share + (c - a) / (b - a) * value_a / (value_c - value_a) * value_b / (value_c - value_b)
-    return share if 0 < share < 1 else 0.5
+def with_node(nodes, parts, place, value):
+    """The places of a polynomial and its divided differences, with one more place in front, and no more than five."""
+    differences = [value]
+    for node, part in zip(nodes[:4], parts, strict=False):
+        differences.append((differences[-1] - part) / (place - node))
+    return (place, *nodes[:4]), differences
+
+
+def zero_near(nodes, parts):
+    """A zero of a polynomial near its first place; any number where there is none."""
+    zero = nodes[0]
+    for _ in range(4):
+        slope = parts[-1]
+        for node, part in zip(nodes[-2:0:-1], parts[-2:0:-1], strict=True):
+            slope = part + (zero - node) * slope
+        if slope == 0:
+            break
+        zero = nodes[0] - parts[0] / slope
+    return zero
 
 
 def dip(sample, short, left, middle, right):

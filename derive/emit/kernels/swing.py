@@ -11,6 +11,7 @@ from derive.emit.kernels.formulas import (
     back_rest,
     back_square,
     chi_square,
+    gauss_gap,
     gauss_rest,
     gauss_square,
     half_rest,
@@ -73,14 +74,16 @@ def lengths(a, b, square, rest):
 
 def second_kind(a, b, square, rest, arrival):
     """(b² − a²)∫sin²ψ over the same range as ``arrival``, the length, by the same transformation (DLMF 19.8.19)."""
-    limit, more, weight, growth = 2 * epsilon() ** 0.5, any_of(a > 0), 1, 0
+    limit, more, weight, growth = epsilon() ** 0.5, any_of(a > 0), 1, 0
+    gap = a - b
     while more:
-        more = any_of(abs(a - b) > limit * a)
+        more = any_of(abs(gap) > limit * a)
         delta = phase_rate(a, b, square, rest)
-        growth = growth - weight * second_kind_step(a, b, square, rest, delta, arrival)
         total, below = a + b, a + delta
+        growth = growth - weight * second_kind_step(total, gap, below, square, rest, arrival)
         square, rest = gauss_square(square, total, below), gauss_rest(a, b, square, rest, delta, below)
         a, b, weight = total / 2, sqrt(a * b), 2 * weight
+        gap = gauss_gap(gap, a + b)  # a difference would lose what the weight brings out
     return growth
 
 

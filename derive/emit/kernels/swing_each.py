@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/swing.py: do not edit, change that file.
 
-Digest of the inputs: sha256 c9629a25178698dbcbea205dce265d46303469a249ce71d8e031752fe7e33dc9
+Digest of the inputs: sha256 c38cd4269534a065fe397627a8e3414453a21dadac07227b220d095e473eab3d
 """
 
 from __future__ import annotations
@@ -24,6 +24,7 @@ from derive.emit.kernels.formulas_each import (
     back_rest_each,
     back_square_each,
     chi_square_each,
+    gauss_gap_each,
     gauss_rest_each,
     gauss_square_each,
     half_rest_beyond_each,
@@ -76,14 +77,16 @@ def lengths_each(a, b, square, rest):
 
 def second_kind_each(a, b, square, rest, arrival):
     """(b² − a²)∫sin²ψ over the same range as ``arrival``, the length, by the same transformation (DLMF 19.8.19)."""
-    limit, more, weight, growth = 2 * epsilon() ** 0.5, any_of(a > 0), 1, 0
+    limit, more, weight, growth = epsilon() ** 0.5, any_of(a > 0), 1, 0
+    gap = a - b
     while more:
-        more = any_of(each_abs(a - b) > limit * a)
+        more = any_of(each_abs(gap) > limit * a)
         delta = phase_rate_each(a, b, square, rest)
-        growth = growth - weight * second_kind_step_each(a, b, square, rest, delta, arrival)
         total, below = a + b, a + delta
+        growth = growth - weight * second_kind_step_each(total, gap, below, square, rest, arrival)
         square, rest = gauss_square_each(square, total, below), gauss_rest_each(a, b, square, rest, delta, below)
         a, b, weight = total / 2, each_sqrt(a * b), 2 * weight
+        gap = gauss_gap_each(gap, a + b)  # a difference would lose what the weight brings out
     return growth
 
 

@@ -1,0 +1,201 @@
+"""The tips of rods that are shorter than any half-swing, all at once: by where motions are after the rod's length.
+
+From a tip φ the motion is at φ + 2 arctan(b/(℘(σ) − c)) (`theory/oblique`), and ℘ follows from its series near 0 by
+the duplication formula (DLMF 23.9.2, 23.10.7): no roots, no ranges. On a rod with ℓ√(β + η) < π that is a function of
+φ whose slope is nowhere more than cosh(ℓ√(β + η)), so even steps show its zeros.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from numpy import (
+    abs,
+    arange,
+    argsort,
+    bincount,
+    clip,
+    concatenate,
+    cosh,
+    flatnonzero,
+    float32,
+    full,
+    isfinite,
+    linspace,
+    log,
+    maximum,
+    minimum,
+    nonzero,
+    repeat,
+    sqrt,
+    unique,
+    where,
+    zeros,
+)
+
+from derive.emit.kernels.arithmetic import pi
+from derive.emit.kernels.array_arithmetic import each_atan2, each_cos, each_sin
+from derive.emit.kernels.block_records import rounded_to, rows
+from derive.emit.kernels.block_roots import Brackets, approached
+
+SHOTS = 512  # rods at once
+EVEN = 0.7  # step between tips, over the steepest slope
+STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
+FINE = 17  # tips about an extremum
+AIMS = 5  # steps towards a zero
+
+
+class Load(NamedTuple):
+    """What acts on rods, in units of their length, and the clamp angle less whole turns.
+
+    reach: how far the tip may be from the clamp.
+    """
+
+    beta: Any
+    eta: Any
+    double_cosine: Any
+    double_sine: Any
+    clamp_angle: Any
+    reach: Any
+
+
+class Shots(NamedTuple):
+    """Tips, sorted by ``key``: twice the rod's number, and 1 more for a tip above the clamp angle.
+
+    first, number: of those with a key; offset: tip less clamp angle; slope: ∂θ(0)/∂θ(ℓ).
+    """
+
+    first: Any
+    number: Any
+    offset: Any
+    slope: Any
+
+
+def load_of(rods):
+    """The load of rods."""
+    square = rods.length * rods.length
+    twice = 2 * rods.field_angle + zeros(rods.case.shape)
+    reach = minimum((rods.beta + rods.eta / 2) * square / 2, 2 * pi) * (1 + 1e-3)
+    return Load(rods.beta * square, rods.eta * square, each_cos(twice), each_sin(twice), rods.clamp_angle, reach)
+
+
+def miss(load, share):
+    """The angle after the rod's length less the clamp angle, for tips at a share of their reach from that."""
+    offset = load.reach * share
+    tip = load.clamp_angle + offset
+    sine, cosine = each_sin(tip), each_cos(tip)
+    twice_sine, twice_cosine = 2 * sine * cosine, 1 - 2 * sine * sine
+    double_sine = twice_sine * load.double_cosine - twice_cosine * load.double_sine
+    double_cosine = twice_cosine * load.double_cosine + twice_sine * load.double_sine
+    along, across, half = load.beta * cosine, load.beta * sine, 0.5 * load.eta * double_sine
+    p, m, q = across + half, across - half, along + load.eta * double_cosine
+    mp, c = m * p, q / 12
+    g2 = q * c - mp / 4
+    g3 = (mp / 4 - q * q / 18) * c - along * p * p / 16
+    value = wp_of_one(g2, g3)
+    return offset + 2 * each_atan2(p / 4, value - c)
+
+
+def wp_of_one(g2, g3):
+    """℘(1): the series at 1/4, or 1/16 in double precision, and the duplication formula."""
+    rough = g2.dtype == float32
+    square, doublings = (1 / 16, 2) if rough else (1 / 256, 4)
+    a, b = g2 * (square * square / 20), g3 * (square * square * square / 28)
+    series = a + b + a * a / 3 + a * b * (3 / 11)
+    if not rough:
+        series = series + (2 * a * a * a / 3 + b * b) / 13
+    value = (1 + series) / square
+    for _ in range(doublings):
+        squared = value * value
+        above = squared + g2 / 4
+        value = (above * above + 2 * g3 * value) / (value * (4 * squared - g2) - g3)
+    return value
+
+
+def is_shot(rods):
+    """Which rods are shorter than any half-swing, and not nearly straight."""
+    lean = rods.clamp_angle - rods.field_angle
+    couple = rods.beta * each_sin(rods.clamp_angle) + rods.eta / 2 * each_sin(2 * lean)
+    return (rods.slow < pi) & (abs(couple) * rods.length * rods.length > STRAIGHT)
+
+
+def shots_of(rods, size):
+    """All tips of rods whose ℓ√(β + η) is below π, and the numbers of the rods of which they are not sure."""
+    load = load_of(rods)
+    rough, parts, unsure = rounded_to(load, float32), [], [zeros(0, dtype=int)]
+    slow = rods.slow
+    for start in range(0, slow.size, SHOTS):
+        here = slice(start, start + SHOTS)
+        steps = int(2 * (load.reach[here] * cosh(slow[here])).max() / EVEN)
+        shares = linspace(-1, 1, 16 + steps, dtype=float32)[:, None]
+        values = miss(rows(rough, here), shares)
+        row, which = nonzero((values[1:] > 0) != (values[:-1] > 0))
+        near, hard = beside_extrema(rows(load, here), shares[:, 0].astype(float), values)
+        unsure += [hard + start, flatnonzero(~isfinite(values.sum(axis=0))) + start]
+        parts.append([which + start, shares[row, 0], shares[row + 1, 0], values[row, which], values[row + 1, which]])
+        parts.append([near[0] + start, *near[1:]])
+    which, *ends = (concatenate(column) for column in zip(*parts, strict=True))
+    some = rows(load, which)
+    ends = [end.astype(float) for end in ends]
+    share, slope = approached(lambda trial: miss(some, trial), *ends, AIMS, 1e-6)
+    key = 2 * rods.case[which] + (share > 0)
+    order = argsort(key, kind="stable")
+    number = bincount(key, minlength=2 * size)
+    offset, slope = (share * some.reach)[order], (slope / some.reach)[order]
+    return Shots(number.cumsum() - number, number, offset, slope), unique(concatenate(unsure))
+
+
+def beside_extrema(load, shares, values):
+    """Brackets beside extrema that reach beyond zero between samples, and the rods of which that is not sure."""
+    grows = values[1:] > values[:-1]
+    row, which = nonzero(grows[1:] != grows[:-1])
+    before, here, after = (values[row + k, which] for k in range(3))
+    bend = maximum(abs(before - here), abs(after - here))
+    close = flatnonzero(((here > 0) == (before > 0)) & ((here > 0) == (after > 0)) & (abs(here) < bend))
+    close = close[abs(here[close]) < minimum(abs(before[close]), abs(after[close])) * (1 + 1e-6)]
+    row, which, side = row[close], which[close], where(here[close] > 0, 1, -1)
+    finer = shares[row] + (shares[row + 2] - shares[row]) * linspace(0, 1, FINE)[:, None]
+    some = rows(load, which)
+    value = side * miss(some, finer)
+    best, column = value.argmin(axis=0) if which.size else zeros(0, dtype=int), arange(which.size)
+    inner = clip(best, 1, FINE - 2)
+    least, beside = value[best, column], maximum(value[inner - 1, column], value[inner + 1, column])
+    margin = 1e-9 * some.reach
+    beyond = (least < -margin) & (((value[1:] < 0) != (value[:-1] < 0)).sum(axis=0) == 2)
+    hard = ~beyond & (2 * least <= beside + margin)
+    sure = flatnonzero(beyond)
+    middle, center, side = finer[best[sure], sure], least[sure] * side[sure], side[sure]
+    left, right = finer[0, sure], finer[-1, sure]
+    both = [which[sure], left, middle, side * value[0, sure], center], [
+        which[sure],
+        middle,
+        right,
+        center,
+        side * value[-1, sure],
+    ]
+    return [concatenate(pair) for pair in zip(*both, strict=True)], which[hard]
+
+
+def aimed(group, shots):
+    """The tips on the ranges of a group: their ranges and branches as brackets, their places, and slopes there."""
+    rods, piece = group.rods, group.piece
+    key = 2 * rods.case + (rods.side < 0)
+    number = shots.number[key]
+    row = repeat(arange(key.size), number)
+    tip = repeat(shots.first[key] - number.cumsum() + number, number) + arange(row.size)
+    drop = -rods.side[row] * shots.offset[tip] - (piece.clamp_gap + 0 * rods.slow)[row]
+    width = piece.width[row]
+    inside = flatnonzero((drop > 0) & (drop < width))
+    row, drop, width, tip = row[inside], drop[inside], width[inside], tip[inside]
+    place, some = log((width - drop) / drop), rows(rods, row)
+    speed = sqrt(2 * level_drop(some, some.side * shots.offset[tip]))
+    slope = -shots.slope[tip] / speed * (width - drop) * drop / width
+    one, zero = full(row.shape, 1), zeros(row.size)
+    return Brackets(row, zero, one, place - 0.5, place + 0.5, -slope, slope), place, slope
+
+
+def level_drop(rods, offset):
+    """V(tip) − V(clamp) by the tip's offset from the clamp angle."""
+    middle, half = each_sin(rods.clamp_angle + offset / 2), each_sin(offset / 2)
+    lean = rods.clamp_angle - rods.field_angle + offset / 2
+    return -2 * half * (rods.beta * middle + rods.eta * each_cos(offset / 2) * each_sin(lean) * each_cos(lean))
