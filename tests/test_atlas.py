@@ -28,8 +28,6 @@ from derive.measure.suites import suite
 from derive.measure.taylor import integrate
 from generated import oblique_numpy, parallel_numpy
 
-# Of the promised bound; more than 1 is known and reported, a wrong formula is far beyond this.
-BOUNDS = 5.0
 TINY = Map(
     "tiny", "two rods", "parallel", "β", "η", ("1", "2"), ("1",), ((PAPER, replace(PAPER, beta=0.0)),), ("ellipj",)
 )
@@ -123,7 +121,7 @@ def test_peers_for_stiff_rods_solve_moderate_ones() -> None:
 def test_our_module_is_near_its_bound_on_the_article_s_rod() -> None:
     ours, other = measure_point(TINY, 0, 0, 3)["solvers"]
     assert (ours["solver"], ours["number"], ours["compared"]) == (OURS, 3, 3)
-    assert 0 < ours["bounds"] < BOUNDS
+    assert 0 < ours["bounds"] < atlas.LIMIT
     assert 1 < ours["ulps"] < 1000
     assert not ours["failures"]
     assert not other["failures"]

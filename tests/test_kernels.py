@@ -107,6 +107,36 @@ def test_bracketed_root_finds_a_sign_change_to_rounding():
         assert abs(root - 1 / 3) < 1e-15
 
 
+@given(st.lists(st.floats(-1, 1), min_size=5, max_size=5), st.floats(0.05, 0.95), st.integers(2, 5))
+def test_bracketed_root_needs_few_values(coefficients, wanted, count):
+    """Of a gently bent function; what is known of it besides saves further ones."""
+    asked = []
+
+    def function(x):
+        asked.append(x)
+        bend = sum(one * x ** (k + 2) for k, one in enumerate(coefficients)) / 40
+        return x + bend - wanted - sum(one * wanted ** (k + 2) for k, one in enumerate(coefficients)) / 40
+
+    places = (0.0, 1.0, 2.0, -1.0, 1.5)[:count]
+    values = [function(place) for place in places]
+    asked.clear()
+    assert abs(bracketed_root(function, places, values, 0.0) - wanted) < 1e-14
+    assert len(asked) <= 9
+
+
+@pytest.mark.parametrize("jump", [1e-300, 1.0, 1e300])
+def test_bracketed_root_halves_where_a_curve_tells_nothing(jump):
+    """A step, wherever it is."""
+    asked = []
+
+    def function(x):
+        asked.append(x)
+        return jump if x > 0.7123 else -1.0
+
+    assert abs(bracketed_root(function, (0.0, 1.0, 2.0), (-1.0, jump, jump), 0.0) - 0.7123) < 2e-15
+    assert len(asked) < 160
+
+
 @st.composite
 def rods(draw, stiffest=12.0):
     """Moderate rods of every kind: field alone, force alone, both, short and long."""

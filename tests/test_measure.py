@@ -324,7 +324,10 @@ def test_the_readme_s_table_is_written_from_a_full_run(tmp_path: Path, monkeypat
     readme.write_text("before\n<!-- measure -->\nold\n<!-- end measure -->\nafter\n", encoding="utf-8")
     found = {"about": {"mode": "full"}, "records": {"tasks": records}, "failed": {}}
     source.write_text(json.dumps(found), encoding="utf-8")
+    (tmp_path / "T1.svg").write_text("<svg/>", encoding="utf-8")
     assert script.main(source, readme, guide) == ""
+    assert (tmp_path / "measure-T1.svg").read_text(encoding="utf-8") == "<svg/>"
+    assert all((ROOT / "docs" / name).exists() for name in script.PICTURES.values())
     text = readme.read_text(encoding="utf-8")
     assert text.count("\n| ") == 1 + len(records)
     assert "| solve_bvp, tol 1e-8 |" in guide.read_text(encoding="utf-8")

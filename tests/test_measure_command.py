@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 from altered import altered
 
+from derive import commands_measure
 from derive.cli import main
 from derive.measure.bench import again, methods, precision
 from derive.measure.bench.store import FILE
@@ -19,6 +20,7 @@ from generated import parallel_numpy
 QUICK = ("measure", "--quick")
 KILLED = """
 import os, signal
+from derive import commands_measure
 from derive.cli import main
 from derive.measure.bench.store import Store
 
@@ -87,6 +89,22 @@ def test_a_spoilt_solver_fails_and_is_named(
     monkeypatch.setattr(parallel_numpy, "folds", broken)
     assert main([*QUICK, "--only", "T6"]) == 1
     assert "tasks/T6/emitted, NumPy/all in a range: ArithmeticError: no fold today" in capsys.readouterr().err
+
+
+def test_formulas_that_cannot_be_emitted_are_a_finding(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """And the run goes on."""
+
+    def refuse(name: str) -> Any:
+        raise RuntimeError(f"{name} cannot be emitted today")
+
+    monkeypatch.setattr(commands_measure, "literal_modules", lambda options: refuse)
+    monkeypatch.setattr(methods, "FILES", ("emitted", "article"))
+    assert main([*QUICK, "--only", "T1"]) == 1
+    told = capsys.readouterr()
+    assert "article, NumPy/γ and tip given: RuntimeError: literal_numpy cannot be emitted today" in told.err
+    assert "emitted, NumPy" in told.out
 
 
 def test_an_interrupted_run_says_how_to_go_on(

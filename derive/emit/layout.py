@@ -13,6 +13,7 @@ from inspect import cleandoc
 from typing import Any
 
 from derive.emit.style import expression, wrap
+from derive.emit.trees import walk
 
 _BODIES = ("body", "orelse", "finalbody", "handlers")
 _INDENT = "    "
@@ -21,7 +22,7 @@ _MARK = "mark"
 
 def stamp(tree: ast.AST) -> None:
     """Mark every statement with its present form, so that a later change can be seen."""
-    for node in ast.walk(tree):
+    for node in walk(tree):
         if isinstance(node, (ast.stmt, ast.excepthandler)):
             setattr(node, _MARK, form(node))
 
@@ -149,7 +150,7 @@ def _header_nodes(node: Any) -> Iterator[Any]:
             continue
         for item in value if isinstance(value, list) else [value]:
             if isinstance(item, ast.AST):
-                yield from (n for n in ast.walk(item) if hasattr(n, "end_lineno"))
+                yield from (n for n in walk(item) if hasattr(n, "end_lineno"))
 
 
 def _begins_class(node: ast.stmt) -> bool:

@@ -23,6 +23,7 @@ from derive.emit.render import render
 from derive.emit.scene import GENERAL_CASE, Scene
 from derive.emit.slice import Slicer
 from derive.emit.specialise import specialise
+from derive.emit.written_out import write_out
 from derive.theory.claims import Formula
 
 
@@ -79,6 +80,8 @@ def emit_module(
         lambda kept: Slicer(known, formulas, general, scene.folded, common=common, kept=kept), scene, backend
     )
     as_records(names, slicer.pieces)
+    if not BACKENDS[backend].exact:
+        write_out(names, slicer.pieces)
     lower(names, slicer.pieces, backend, scene.functions)
     names = slicer.reach(scene.functions)
     used = tuple(piece.formula for name in names if (piece := slicer.pieces[name]).formula)

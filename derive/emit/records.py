@@ -1,4 +1,4 @@
-"""Records: a module's NamedTuples on a base of its own, for making their classes takes longer than all else in importing it.
+"""Records: the NamedTuples of a module on a base of its own. Making their classes took most of the time of its import.
 
 The kernels keep NamedTuple, which type checkers know. What is printed is a subclass of ``kernels/records.py: Record``,
 whose values come as one tuple.
@@ -16,14 +16,14 @@ RECORD = ("records", "Record")
 
 
 def as_records(names: Iterable[str], pieces: Mapping[str, Piece]) -> None:
-    """Make every NamedTuple among the pieces a record, in place, if there is a base for them, and write calls of it so."""
+    """Make every NamedTuple among the pieces a record, in place, if there is a base for them, with calls to match."""
     if RECORD[1] not in pieces:
         return
     found = {name: piece for name in names if _is_named_tuple((piece := pieces[name]).node)}
     for piece in found.values():
         piece.node.bases = [ast.Name(RECORD[1], ast.Load())]
         if not all(isinstance(line, (ast.AnnAssign, ast.Expr)) for line in piece.node.body):
-            raise EmitError(f"kernels/{piece.file}.py ({piece.name}): a record has fields only; make a method a function")
+            raise EmitError(f"kernels/{piece.file}.py ({piece.name}): a record has no methods; make them functions")
         piece.node.body.insert(_is_described(piece.node), ast.parse("__slots__ = ()").body[0])
         piece.names[RECORD[1]] = RECORD[1]
     for name in names:
@@ -39,7 +39,7 @@ def _is_described(node: ast.ClassDef) -> bool:
 
 
 class _Made(ast.NodeTransformer):
-    """Writes Point(x, y) as Point((x, y)), and Point(*pair) and type(point)(*pair) as Point(pair), type(point)(pair)."""
+    """Writes Point(x, y) as Point((x, y)), Point(*pair) as Point(pair), and type(point)(*pair) as type(point)(pair)."""
 
     def __init__(self, piece: Piece, records: Mapping[str, Piece]) -> None:
         self.piece, self.records = piece, records

@@ -31,6 +31,7 @@ def _restyle(text: str) -> str:
             edits.append((token.start[1], token.end[1], swapped))
     for start, end, new in sorted(edits, reverse=True):
         text = text[:start] + new + text[end:]
+    text = re.sub(r"(?<=[\w.]) \*\* \(-(\w+)\)", r"**-\1", text)
     return _bare_tuple(_bare_generators(text))
 
 

@@ -13,6 +13,7 @@ from derive.emit.kernels.motion_each import motion_at_each
 from derive.emit.kernels.swing_each import lengths_each, phase_of_each
 
 STEPS = 3  # rough steps, after which most places are right to single precision
+TOLD = 1e-10  # change of a place from which the change of a length tells the slope
 SECANTS = 2  # evaluations before any place is looked at for being right to rounding: next to none is
 SPREAD = 2.0**-9  # distance of two places from which they tell the slope of a branch in single precision
 
@@ -121,7 +122,7 @@ def polished(some, brackets, place, slope, secants):
     rising = (brackets.value_right > brackets.value_left) == (brackets.right > brackets.left)
     todo = flatnonzero((brackets.value_left > 0) != (brackets.value_right > 0))
     value, before, parts = full(place.shape, nan), place.copy(), []
-    for turn in range(8):
+    for turn in range(secants + 6):
         here, branch = (some, brackets) if todo.size == place.size else rows((some, brackets), todo)
         at, extent = place[todo], here.rods.length
         motion = motion_at_each(here.rods.beta, here.rods.eta, here.rods.field_angle, here.piece, at)
@@ -130,10 +131,13 @@ def polished(some, brackets, place, slope, secants):
         now = surplus(swing, arrival, branch.turns, branch.sign, extent)
         if turn:
             change = at - before[todo]
-            slope[todo] = where(change == 0, slope[todo], (now - value[todo]) / where(change == 0, 1, change))
+            told = abs(change) > TOLD * (1 + abs(at))
+            slope[todo] = where(told, (now - value[todo]) / where(told, change, 1), slope[todo])
         step = now / slope[todo]
         if turn >= secants:
-            close = (abs(step) <= 4 * epsilon() * (1 + abs(at))) | (abs(now) <= 4 * epsilon() * extent)
+            # What is left time and again is rounding of the times themselves.
+            blur = 4 * epsilon() * 2 ** (turn - secants)
+            close = (abs(step) <= blur * (1 + abs(at))) | (abs(now) <= blur * extent)
             state = Found(branch.range, at, branch.turns, branch.sign, rising[todo], motion, phase, swing, arrival)
             parts.append(state if close.all() else rows(state, close))
             todo, at, now, step = todo[~close], at[~close], now[~close], step[~close]

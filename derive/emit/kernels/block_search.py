@@ -138,7 +138,7 @@ def crossed(group, sign, places, swings, arrivals, capped, most):
         turn = isfinite(beyond) & ((counts[-1] > counts[-2]) != (beyond > counts[-1]))
         doubt |= turn & (abs(counts[-1] - floor(counts[-1] + 0.5)) < 2 * abs(beyond - counts[-2]))
     levels = maximum(ceil(counts), 0)
-    row, which = nonzero(levels[1:] != levels[:-1])
+    row, which = nonzero(abs(levels[1:] - levels[:-1]) > 0)
     one, other = levels[row, which], levels[row + 1, which]
     number = abs(other - one).astype(int)
     lowest, row, which = repeat(minimum(one, other), number), repeat(row, number), repeat(which, number)

@@ -1,8 +1,8 @@
-"""The tips of rods that are shorter than any half-swing, all at once: by where motions are after the rod's length.
+"""The tips of rods that are shorter than any two half-swings, all at once: by where motions are after their length.
 
 From a tip φ the motion is at φ + 2 arctan(b/(℘(σ) − c)) (`theory/oblique`), and ℘ follows from its series near 0 by
-the duplication formula (DLMF 23.9.2, 23.10.7): no roots, no ranges. On a rod with ℓ√(β + η) < π that is a function of
-φ whose slope is nowhere more than cosh(ℓ√(β + η)), so even steps show its zeros.
+the duplication formula (DLMF 23.9.2, 23.10.7): no roots, no ranges. On a rod with ℓ√(β + η) < 2π, which no two
+half-swings fit, that is a function of φ, whose slope is nowhere more than cosh(ℓ√(β + η)): even steps show its zeros.
 """
 
 from __future__ import annotations
@@ -19,7 +19,6 @@ from numpy import (
     cosh,
     flatnonzero,
     float32,
-    full,
     isfinite,
     linspace,
     log,
@@ -36,12 +35,14 @@ from numpy import (
 from derive.emit.kernels.arithmetic import pi
 from derive.emit.kernels.array_arithmetic import each_atan2, each_cos, each_sin
 from derive.emit.kernels.block_records import rounded_to, rows
-from derive.emit.kernels.block_roots import Brackets, approached
+from derive.emit.kernels.block_roots import Brackets, approached, rough_times
 
-SHOTS = 512  # rods at once
-EVEN = 0.7  # step between tips, over the steepest slope
+SHOT_SLOW = 1.2 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
+SHOTS = 384  # rods at once
+EVEN = 2.0  # step between tips, over the steepest slope
 STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
-FINE = 17  # tips about an extremum
+FINE = 9  # tips about an extremum
+LOOKS = 4  # each at so many tips nearer to it
 AIMS = 5  # steps towards a zero
 
 
@@ -113,67 +114,74 @@ def wp_of_one(g2, g3):
 
 
 def is_shot(rods):
-    """Which rods are shorter than any half-swing, and not nearly straight."""
+    """Which rods are short, and not nearly straight."""
     lean = rods.clamp_angle - rods.field_angle
     couple = rods.beta * each_sin(rods.clamp_angle) + rods.eta / 2 * each_sin(2 * lean)
-    return (rods.slow < pi) & (abs(couple) * rods.length * rods.length > STRAIGHT)
+    return (rods.slow < SHOT_SLOW) & (abs(couple) * rods.length * rods.length > STRAIGHT)
 
 
 def shots_of(rods, size):
-    """All tips of rods whose ℓ√(β + η) is below π, and the numbers of the rods of which they are not sure."""
+    """All tips of short rods, and the numbers of the rods of which they are not sure."""
     load = load_of(rods)
-    rough, parts, unsure = rounded_to(load, float32), [], [zeros(0, dtype=int)]
-    slow = rods.slow
-    for start in range(0, slow.size, SHOTS):
-        here = slice(start, start + SHOTS)
-        steps = int(2 * (load.reach[here] * cosh(slow[here])).max() / EVEN)
-        shares = linspace(-1, 1, 16 + steps, dtype=float32)[:, None]
-        values = miss(rows(rough, here), shares)
-        row, which = nonzero((values[1:] > 0) != (values[:-1] > 0))
-        near, hard = beside_extrema(rows(load, here), shares[:, 0].astype(float), values)
-        unsure += [hard + start, flatnonzero(~isfinite(values.sum(axis=0))) + start]
-        parts.append([which + start, shares[row, 0], shares[row + 1, 0], values[row, which], values[row + 1, which]])
-        parts.append([near[0] + start, *near[1:]])
-    which, *ends = (concatenate(column) for column in zip(*parts, strict=True))
+    crossed, turned, unsure = sampled_shots(load, rods.slow)
+    beside, hard = beside_extrema(load, turned)
+    which, *ends = (concatenate(pair) for pair in zip(crossed, beside, strict=True))
     some = rows(load, which)
-    ends = [end.astype(float) for end in ends]
     share, slope = approached(lambda trial: miss(some, trial), *ends, AIMS, 1e-6)
     key = 2 * rods.case[which] + (share > 0)
     order = argsort(key, kind="stable")
     number = bincount(key, minlength=2 * size)
     offset, slope = (share * some.reach)[order], (slope / some.reach)[order]
-    return Shots(number.cumsum() - number, number, offset, slope), unique(concatenate(unsure))
+    return Shots(number.cumsum() - number, number, offset, slope), unique(concatenate([unsure, hard]))
 
 
-def beside_extrema(load, shares, values):
-    """Brackets beside extrema that reach beyond zero between samples, and the rods of which that is not sure."""
-    grows = values[1:] > values[:-1]
-    row, which = nonzero(grows[1:] != grows[:-1])
-    before, here, after = (values[row + k, which] for k in range(3))
-    bend = maximum(abs(before - here), abs(after - here))
-    close = flatnonzero(((here > 0) == (before > 0)) & ((here > 0) == (after > 0)) & (abs(here) < bend))
-    close = close[abs(here[close]) < minimum(abs(before[close]), abs(after[close])) * (1 + 1e-6)]
-    row, which, side = row[close], which[close], where(here[close] > 0, 1, -1)
-    finer = shares[row] + (shares[row + 2] - shares[row]) * linspace(0, 1, FINE)[:, None]
-    some = rows(load, which)
-    value = side * miss(some, finer)
-    best, column = value.argmin(axis=0) if which.size else zeros(0, dtype=int), arange(which.size)
-    inner = clip(best, 1, FINE - 2)
-    least, beside = value[best, column], maximum(value[inner - 1, column], value[inner + 1, column])
+def sampled_shots(load, slow):
+    """Brackets, extrema that may reach beyond zero, and the rods without values.
+
+    Brackets have the rod, shares of its reach on either side and what is missed there; extrema have the rod, the
+    shares beside, what is missed there, and on which side of zero they are.
+    """
+    rough, none, real = rounded_to(load, float32), zeros(0, dtype=int), zeros(0)
+    brackets, extrema_found, lost = [[none, real, real, real, real]], [[none, real, real, real, real, none]], [none]
+    for start in range(0, slow.size, SHOTS):
+        here = slice(start, start + SHOTS)
+        steps = int(2 * (load.reach[here] * cosh(slow[here])).max() / EVEN)
+        shares = linspace(-1, 1, 16 + steps)
+        values = miss(rows(rough, here), shares.astype(float32)[:, None])
+        lost.append(flatnonzero(~isfinite(values.sum(axis=0))) + start)
+        row, which = nonzero((values[1:] > 0) != (values[:-1] > 0))
+        brackets.append([which + start, shares[row], shares[row + 1], values[row, which], values[row + 1, which]])
+        grows = values[1:] > values[:-1]
+        row, which = nonzero(grows[1:] != grows[:-1])
+        before, middle, after = (values[row + k, which] for k in range(3))
+        near = abs(middle) < maximum(abs(before - middle), abs(after - middle))
+        near &= (abs(middle) <= abs(before)) & (abs(middle) <= abs(after))
+        near &= ((middle > 0) == (before > 0)) & ((middle > 0) == (after > 0))
+        row, which, before, after = row[near], which[near], before[near], after[near]
+        side = where(middle[near] > 0, 1, -1)
+        extrema_found.append([which + start, shares[row], shares[row + 2], before, after, side])
+    parts = ([concatenate(part) for part in zip(*found, strict=True)] for found in (brackets, extrema_found))
+    return *parts, concatenate(lost)
+
+
+def beside_extrema(load, turned):
+    """Brackets beside extrema that reach beyond zero, and the rods of which that is not sure."""
+    which, first, last, before, after, side = turned
+    some, left, right = rows(load, which), first, last
+    column, single = arange(which.size), True
+    for _ in range(LOOKS):
+        finer = left + (right - left) * linspace(0, 1, FINE)[:, None]
+        value = side * miss(some, finer)
+        single = single & (((value[1:] < 0) != (value[:-1] < 0)).sum(axis=0) <= 2)
+        best = clip(value.argmin(axis=0), 1, FINE - 2)
+        left, right = finer[best - 1, column], finer[best + 1, column]
+    middle, least = finer[best, column], value[best, column]
     margin = 1e-9 * some.reach
-    beyond = (least < -margin) & (((value[1:] < 0) != (value[:-1] < 0)).sum(axis=0) == 2)
-    hard = ~beyond & (2 * least <= beside + margin)
-    sure = flatnonzero(beyond)
-    middle, center, side = finer[best[sure], sure], least[sure] * side[sure], side[sure]
-    left, right = finer[0, sure], finer[-1, sure]
-    both = [which[sure], left, middle, side * value[0, sure], center], [
-        which[sure],
-        middle,
-        right,
-        center,
-        side * value[-1, sure],
-    ]
-    return [concatenate(pair) for pair in zip(*both, strict=True)], which[hard]
+    beyond = single & (least < -margin)
+    hard = ~beyond & (2 * least <= maximum(value[best - 1, column], value[best + 1, column]) + margin)
+    one = which, first, middle, before, side * least
+    other = which, middle, last, side * least, after
+    return [concatenate(pair)[concatenate([beyond, beyond])] for pair in zip(one, other, strict=True)], which[hard]
 
 
 def aimed(group, shots):
@@ -190,8 +198,20 @@ def aimed(group, shots):
     place, some = log((width - drop) / drop), rows(rods, row)
     speed = sqrt(2 * level_drop(some, some.side * shots.offset[tip]))
     slope = -shots.slope[tip] / speed * (width - drop) * drop / width
-    one, zero = full(row.shape, 1), zeros(row.size)
-    return Brackets(row, zero, one, place - 0.5, place + 0.5, -slope, slope), place, slope
+    back = turned_back(group, row, place)
+    slope, sign = where(back, -slope, slope), where(back, -1, 1)
+    return Brackets(row, back.astype(float), sign, place - 0.5, place + 0.5, -slope, slope), place, slope
+
+
+def turned_back(group, row, place):
+    """Whether the motions meet the clamp on their way back, on rods that are as long as half-swings may be."""
+    long = flatnonzero(group.rods.slow[row] >= pi)
+    back = zeros(row.shape, dtype=bool)
+    if long.size:
+        some = rows(group, row[long])
+        swing, arrival = rough_times(some.rods, some.piece, place[long])
+        back[long] = abs(2 * swing - arrival - some.rods.length) < abs(arrival - some.rods.length)
+    return back
 
 
 def level_drop(rods, offset):

@@ -30,12 +30,15 @@ class Rest(NamedTuple):
 class Landscape(NamedTuple):
     """The directions of one turn, from the highest hill to the same hill a turn on: hill, well(, ridge, well), hill.
 
-    level: the ridge is as high as the hill. even: V is symmetric about every hill and well.
+    level: the ridge is as high as the hill. even: V is symmetric about every hill and well. shoulder: where a ridge is
+    nearly there, the direction at which the couple, ``moment``, is nearest to zero; None where that is not asked for.
     """
 
     rests: tuple[Rest, ...]
     level: bool
     even: bool
+    shoulder: Rest | None = None
+    moment: float = 0.0
 
 
 def landscape(beta, eta, field_angle):
@@ -59,7 +62,7 @@ def oblique_landscape(beta, eta, field_angle):
         return oblique_alone(eta, field_angle)
     if has_second_pair(beta, eta, field_angle):
         return oblique_double(beta, eta, field_angle)
-    return oblique_single(beta, eta, field_angle)
+    return with_shoulder(beta, eta, field_angle, oblique_single(beta, eta, field_angle))
 
 
 def has_second_pair(beta, eta, field_angle):
@@ -70,7 +73,10 @@ def has_second_pair(beta, eta, field_angle):
 
 def mirror_landscape(scene):
     """The landscape seen from the other side of the y axis."""
-    return scene._replace(rests=tuple(mirror_rest(rest) for rest in scene.rests[::-1]))
+    rests = tuple(mirror_rest(rest) for rest in scene.rests[::-1])
+    if scene.shoulder is None:
+        return scene._replace(rests=rests)
+    return scene._replace(rests=rests, shoulder=mirror_rest(scene.shoulder), moment=-scene.moment)
 
 
 def along(beta, quarters, sign):
@@ -225,6 +231,20 @@ def pair_rests(beta, eta, lean):
     low = pair_rest(eta, lean, cusp, pick(near, first, cusp - first), pick(near, first - cusp, -first))
     last = rising_root(beside, pi / 2 - cusp, 0 * lean)
     return low, pair_rest(eta, lean, cusp, cusp + last, last)
+
+
+def with_shoulder(beta, eta, field_angle, scene):
+    """The landscape with the direction at which the pair would be born."""
+    steep = field_angle > pi / 4
+    lean = pick(steep, -less_quarters(field_angle, 1), field_angle)
+    cusp = astroid_cusp(lean)
+    place, couple = lean + cusp, couple_beyond(beta, eta, lean, cusp)
+    stiffness = couple * cos(place) / sin(place)
+    shoulder = Rest(2, place, 0, stiffness, cos(2 * cusp), sin(2 * cusp))
+    if any_of(steep):
+        back = turned_back(shoulder)
+        shoulder = pick_rest(steep, back._replace(extra=back.extra + pi), shoulder)
+    return scene._replace(shoulder=rest_of(2, shoulder), moment=couple)
 
 
 def pair_rest(eta, lean, cusp, turn, beside):

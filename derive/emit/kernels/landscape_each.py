@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/landscape.py: do not edit, change that file.
 
-Digest of the inputs: sha256 2f65587718bd30ebaee73cdb5201be7b0e19ebc71178b039cf8c6b4f66c9b472
+Digest of the inputs: sha256 8b409504b54b5af19df3f934e453ff749640de19d8b2d65eb4f03998b748a41c
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ def oblique_landscape_each(beta, eta, field_angle):
         return oblique_alone_each(eta, field_angle)
     if has_second_pair_each(beta, eta, field_angle):
         return oblique_double_each(beta, eta, field_angle)
-    return oblique_single_each(beta, eta, field_angle)
+    return with_shoulder_each(beta, eta, field_angle, oblique_single_each(beta, eta, field_angle))
 
 
 def has_second_pair_each(beta, eta, field_angle):
@@ -62,7 +62,10 @@ def has_second_pair_each(beta, eta, field_angle):
 
 def mirror_landscape_each(scene):
     """The landscape seen from the other side of the y axis."""
-    return scene._replace(rests=tuple(mirror_rest_each(rest) for rest in scene.rests[::-1]))
+    rests = tuple(mirror_rest_each(rest) for rest in scene.rests[::-1])
+    if scene.shoulder is None:
+        return scene._replace(rests=rests)
+    return scene._replace(rests=rests, shoulder=mirror_rest_each(scene.shoulder), moment=-scene.moment)
 
 
 def along_each(beta, quarters, sign):
@@ -242,6 +245,20 @@ def pair_rests_each(beta, eta, lean):
     low = pair_rest_each(eta, lean, cusp, each_pick(near, first, cusp - first), each_pick(near, first - cusp, -first))
     last = rising_root_each(beside, pi / 2 - cusp, 0 * lean)
     return low, pair_rest_each(eta, lean, cusp, cusp + last, last)
+
+
+def with_shoulder_each(beta, eta, field_angle, scene):
+    """The landscape with the direction at which the pair would be born."""
+    steep = field_angle > pi / 4
+    lean = each_pick(steep, -each_less_quarters(field_angle, 1), field_angle)
+    cusp = astroid_cusp_each(lean)
+    place, couple = lean + cusp, couple_beyond_each(beta, eta, lean, cusp)
+    stiffness = couple * each_cos(place) / each_sin(place)
+    shoulder = Rest(2, place, 0, stiffness, each_cos(2 * cusp), each_sin(2 * cusp))
+    if any_of(steep):
+        back = turned_back_each(shoulder)
+        shoulder = pick_rest_each(steep, back._replace(extra=back.extra + pi), shoulder)
+    return scene._replace(shoulder=rest_of_each(2, shoulder), moment=couple)
 
 
 def pair_rest_each(eta, lean, cusp, turn, beside):

@@ -19,6 +19,7 @@ from derive.emit.kernels.arithmetic import (
     spacing,
     sqrt,
 )
+from derive.emit.kernels.landscape import pick_rest
 from derive.emit.kernels.pieces import Piece, fall, onward, reach, slope, turn_to
 from derive.emit.kernels.potential import fall_from_rest, moment_from_rest
 
@@ -71,6 +72,7 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
         half_width, left, far_moment, far_distance = parallel_side(beta, eta, piece, rise, drop, from_hill, depth)
     else:
         half_width, left, far_moment, far_distance = far_side(eta, piece, rise, drop, depth, done, height)
+        near_moment = beside_shoulder(eta, basin, tip, offset, near_moment)
         near_moment = larger(near_moment, least_moment(basin) * abs(offset))
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
     lack = (from_hill + far_distance) / 2 if basin.whole else pi - half_width
@@ -156,15 +158,28 @@ def far_side(eta, piece, rise, drop, depth, done, height):
     distance = reach_either(eta, far, far_well, by_hill, pick(by_hill, below, above), down)
     turn = pick(by_hill, down - distance, distance)  # far turning point − far_well
     left = pick(by_hill, piece.far_gap - distance, distance - piece.beyond_well)
-    if basin.passes:
+    if piece.high_kind == "turn":
+        left = larger(beyond_clamp(eta, piece, drop, left), 0)
+    if basin.shoulder is not None:
+        # V may be so nearly level there that only from the clamp is it told where the motion turns.
+        turn, half_width = piece.beyond_well + left, (done + left) / 2
+    elif basin.passes:
         half_width = (turn + depth + turn_to(well, far_well)) / 2
     else:
         half_width = (turn + depth) / 2
     far_moment = pick(by_hill, slope(eta, far, -distance), slope(eta, far_well, distance)) * -1
+    far_moment = -beside_shoulder(eta, basin, far_well.angle + turn, distance, -far_moment)
     far_moment = larger(far_moment, least_moment(basin) * distance)
-    if piece.high_kind == "turn":
-        left = larger(beyond_clamp(eta, piece, drop, left), 0)
     return half_width, left, far_moment, pick(by_hill, distance, down - distance)
+
+
+def beside_shoulder(eta, basin, angle, offset, moment):
+    """θ″ at an angle, by the shoulder of V if that is nearer than the direction by whose offset it was told."""
+    if basin.shoulder is None:
+        return moment
+    apart = wrapped(angle - basin.shoulder.angle)
+    told = basin.moment * cos(apart) + slope(eta, basin.shoulder, apart)
+    return pick(2 * abs(apart) < abs(offset), told, moment)
 
 
 def least_moment(basin):
@@ -189,11 +204,16 @@ def beyond_clamp(eta, piece, drop, rough):
     V falls by the same amount on both sides. The rough value is as good as its difference to the clamp's distance
     from a hill or a well allows.
     """
-    basin, rest, start = piece.basin, piece.clamp_rest, piece.clamp_offset
+    basin, rest, start, moment = piece.basin, piece.clamp_rest, piece.clamp_offset, 0
     high = -piece.high_depth
     amount = fall(eta, basin.well, high - drop, drop)
     far = rough > 0.25 * abs(start)
-    better = onward(eta, rest, start, -amount, rough, far == 0)
+    if basin.shoulder is not None:
+        apart = wrapped(rest.angle + start - basin.shoulder.angle)
+        near = 2 * abs(apart) < abs(start)
+        rest, start = pick_rest(near, basin.shoulder, rest), pick(near, apart, start)
+        moment, far = pick(near, basin.moment, 0), pick(near, rough > 0.25, far)
+    better = onward(eta, rest, start, -amount, rough, far == 0, moment)
     # Newton's method leaves a place where V is nearly level for one far away.
     return pick(far | (abs(better - rough) > 0.01), rough, better)
 
@@ -226,7 +246,10 @@ def mean_less_field(eta, basin, centre, half_width, near, far, height, mean):
         known = pick(2 * by_far > far, by_far, by_near)
         far_off = close & (2 * by_far <= far) & (2 * by_near <= near)
         if any_of(far_off):
-            known = pick(far_off, above_field(eta, basin, wrapped(-axis - centre), ahead * behind, height), known)
+            # Not from a well that is far from where V is nearly level: there V tells least.
+            told, turn = pick(near < far, by_near, by_far), ahead * behind
+            there = above_field(eta, basin, wrapped(-axis - centre), turn, height)
+            known = pick(far_off, pick(height <= abs(turn) * eta * (abs(ahead) + abs(behind)), there, told), known)
         apart = pick(close, known, apart)
     # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.
     least = larger(height, epsilon() ** 19) if basin.passes else epsilon() * pick(near < far, near, far) / 4

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 d9665f93fed640c5f87acbd42ab64cd46d0566dcd938388972ec161db2876065
+Digest of the inputs: sha256 a7639610fb67330e579a3bdd4f1f6d733647892ebb987bda8da05a90133e1d65
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ from derive.emit.kernels.array_arithmetic import (
     each_sqrt,
     larger,
 )
+from derive.emit.kernels.landscape_each import pick_rest_each
 from derive.emit.kernels.motion import Motion
 from derive.emit.kernels.pieces import Piece
 from derive.emit.kernels.pieces_each import fall_each, onward_each, reach_each, slope_each, turn_to_each
@@ -53,6 +54,7 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
         half_width, left, far_moment, far_distance = parallel_side_each(beta, eta, piece, rise, drop, from_hill, depth)
     else:
         half_width, left, far_moment, far_distance = far_side_each(eta, piece, rise, drop, depth, done, height)
+        near_moment = beside_shoulder_each(eta, basin, tip, offset, near_moment)
         near_moment = larger(near_moment, least_moment_each(basin) * each_abs(offset))
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
     lack = (from_hill + far_distance) / 2 if basin.whole else pi - half_width
@@ -110,9 +112,7 @@ def parallel_side_each(beta, eta, piece, rise, drop, from_hill, depth):
     up = 2 * each_asin(within_each(dip / each_sin((down + distance) / 2)))
     if piece.high_kind == "turn":
         share = each_sin(from_hill + drop / 2) * each_sin(drop / 2) / each_sin((piece.far_gap + distance) / 2)
-        # The clamp's own distance from the hill is exact, the range's width is not.
-        rough = piece.far_gap - distance
-        left = each_pick(rough > 0.25 * piece.far_gap, rough, 2 * each_asin(within_each(share)))
+        left = 2 * each_asin(within_each(share))
     else:
         left = up + piece.high_depth
     return (up + depth) / 2, left, 4 * eta * dip * low * high, distance
@@ -141,15 +141,28 @@ def far_side_each(eta, piece, rise, drop, depth, done, height):
     distance = reach_either_each(eta, far, far_well, by_hill, each_pick(by_hill, below, above), down)
     turn = each_pick(by_hill, down - distance, distance)  # far turning point − far_well
     left = each_pick(by_hill, piece.far_gap - distance, distance - piece.beyond_well)
-    if basin.passes:
+    if piece.high_kind == "turn":
+        left = larger(beyond_clamp_each(eta, piece, drop, left), 0)
+    if basin.shoulder is not None:
+        # V may be so nearly level there that only from the clamp is it told where the motion turns.
+        turn, half_width = piece.beyond_well + left, (done + left) / 2
+    elif basin.passes:
         half_width = (turn + depth + turn_to_each(well, far_well)) / 2
     else:
         half_width = (turn + depth) / 2
     far_moment = each_pick(by_hill, slope_each(eta, far, -distance), slope_each(eta, far_well, distance)) * -1
+    far_moment = -beside_shoulder_each(eta, basin, far_well.angle + turn, distance, -far_moment)
     far_moment = larger(far_moment, least_moment_each(basin) * distance)
-    if piece.high_kind == "turn":
-        left = larger(beyond_clamp_each(eta, piece, drop, left), 0)
     return half_width, left, far_moment, each_pick(by_hill, distance, down - distance)
+
+
+def beside_shoulder_each(eta, basin, angle, offset, moment):
+    """θ″ at an angle, by the shoulder of V if that is nearer than the direction by whose offset it was told."""
+    if basin.shoulder is None:
+        return moment
+    apart = wrapped_each(angle - basin.shoulder.angle)
+    told = basin.moment * each_cos(apart) + slope_each(eta, basin.shoulder, apart)
+    return each_pick(2 * each_abs(apart) < each_abs(offset), told, moment)
 
 
 def least_moment_each(basin):
@@ -174,11 +187,16 @@ def beyond_clamp_each(eta, piece, drop, rough):
     V falls by the same amount on both sides. The rough value is as good as its difference to the clamp's distance
     from a hill or a well allows.
     """
-    basin, rest, start = piece.basin, piece.clamp_rest, piece.clamp_offset
+    basin, rest, start, moment = piece.basin, piece.clamp_rest, piece.clamp_offset, 0
     high = -piece.high_depth
     amount = fall_each(eta, basin.well, high - drop, drop)
     far = rough > 0.25 * each_abs(start)
-    better = onward_each(eta, rest, start, -amount, rough, far == 0)
+    if basin.shoulder is not None:
+        apart = wrapped_each(rest.angle + start - basin.shoulder.angle)
+        near = 2 * each_abs(apart) < each_abs(start)
+        rest, start = pick_rest_each(near, basin.shoulder, rest), each_pick(near, apart, start)
+        moment, far = each_pick(near, basin.moment, 0), each_pick(near, rough > 0.25, far)
+    better = onward_each(eta, rest, start, -amount, rough, far == 0, moment)
     # Newton's method leaves a place where V is nearly level for one far away.
     return each_pick(far | (each_abs(better - rough) > 0.01), rough, better)
 
@@ -211,8 +229,13 @@ def mean_less_field_each(eta, basin, centre, half_width, near, far, height, mean
         known = each_pick(2 * by_far > far, by_far, by_near)
         far_off = close & (2 * by_far <= far) & (2 * by_near <= near)
         if any_of(far_off):
+            # Not from a well that is far from where V is nearly level: there V tells least.
+            told, turn = each_pick(near < far, by_near, by_far), ahead * behind
+            there = above_field_each(eta, basin, wrapped_each(-axis - centre), turn, height)
             known = each_pick(
-                far_off, above_field_each(eta, basin, wrapped_each(-axis - centre), ahead * behind, height), known
+                far_off,
+                each_pick(height <= each_abs(turn) * eta * (each_abs(ahead) + each_abs(behind)), there, told),
+                known,
             )
         apart = each_pick(close, known, apart)
     # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.

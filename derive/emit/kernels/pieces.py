@@ -21,6 +21,7 @@ class Basin(NamedTuple):
     ridge that it passes, or the well.
 
     far_rise: V(far) − V(hill). even: the motion is symmetric about its middle. whole: far is the hill a turn on.
+    shoulder, moment: of a landscape in which a ridge is nearly there.
     """
 
     hill: Rest
@@ -32,6 +33,8 @@ class Basin(NamedTuple):
     passes: bool
     even: bool
     whole: bool
+    shoulder: Rest | None = None
+    moment: float = 0.0
 
 
 class Piece(NamedTuple):
@@ -130,18 +133,19 @@ def step_to(eta, rest, offset, goal):
     return 2 * here * (here - goal) / force, share * (pick(level < 0, -bend, bend) - 0.5)
 
 
-def onward(eta, rest, start, amount, rough, wanted):
-    """How far beyond ``start``, an offset from a direction without moment, V has fallen by ``amount``.
+def onward(eta, rest, start, amount, rough, wanted, moment=0):
+    """How far beyond ``start``, an offset from a direction of that moment, V has fallen by ``amount``.
 
     The rough value is good to rounding of the angles; where little of it is left, the slope of V at the start gives a
     better one. Newton's method does the rest, until all that are wanted are found.
     """
-    steep = slope(eta, rest, start)
+    steep = slope(eta, rest, start) + moment * cos(start)
     told = (abs(rough) > 1e-3 * abs(start)) | (steep == 0)
     distance = pick(told, rough, amount / pick(told, 1, steep))
     for _ in range(40):
-        force = slope(eta, rest, start + distance)
-        step = (fall(eta, rest, start, distance) - amount) / pick(force == 0, 1, force)
+        force = slope(eta, rest, start + distance) + moment * cos(start + distance)
+        fallen = fall(eta, rest, start, distance) + 2 * moment * cos(start + distance / 2) * sin(distance / 2)
+        step = (fallen - amount) / pick(force == 0, 1, force)
         away = abs(distance - step) > pi
         stuck = away & (distance == rough)
         distance = pick(away, rough, distance - step)
@@ -241,7 +245,8 @@ def basin_of(ground, first):
     hill, well, far = scene.rests[first : first + 3]
     whole = len(scene.rests) == 3
     even = scene.even and (scene.level or whole)
-    return Basin(hill, well, far, well, well, ground.drop if first else 0, False, even, whole)
+    rise, beside = ground.drop if first else 0, (scene.shoulder, scene.moment)
+    return Basin(hill, well, far, well, well, rise, False, even, whole, *beside)
 
 
 def over_ridge(ground):

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/pieces.py: do not edit, change that file.
 
-Digest of the inputs: sha256 8817c27fbfa37a1bc19967c5f9ff308bbd9308f6cf889e2b7784dbee7a946112
+Digest of the inputs: sha256 a949c7a949d6edb9904a6d5a3c57939d8b25352d56effcf72a457ce6d6d3c9e5
 """
 
 from __future__ import annotations
@@ -94,18 +94,22 @@ def step_to_each(eta, rest, offset, goal):
     return 2 * here * (here - goal) / force, share * (each_pick(level < 0, -bend, bend) - 0.5)
 
 
-def onward_each(eta, rest, start, amount, rough, wanted):
-    """How far beyond ``start``, an offset from a direction without moment, V has fallen by ``amount``.
+def onward_each(eta, rest, start, amount, rough, wanted, moment=0):
+    """How far beyond ``start``, an offset from a direction of that moment, V has fallen by ``amount``.
 
     The rough value is good to rounding of the angles; where little of it is left, the slope of V at the start gives a
     better one. Newton's method does the rest, until all that are wanted are found.
     """
-    steep = slope_each(eta, rest, start)
+    steep = slope_each(eta, rest, start) + moment * each_cos(start)
     told = (each_abs(rough) > 0.001 * each_abs(start)) | (steep == 0)
     distance = each_pick(told, rough, amount / each_pick(told, 1, steep))
     for _ in range(40):
-        force = slope_each(eta, rest, start + distance)
-        step = (fall_each(eta, rest, start, distance) - amount) / each_pick(force == 0, 1, force)
+        force = slope_each(eta, rest, start + distance) + moment * each_cos(start + distance)
+        fallen = (
+            fall_each(eta, rest, start, distance)
+            + 2 * moment * each_cos(start + distance / 2) * each_sin(distance / 2)
+        )
+        step = (fallen - amount) / each_pick(force == 0, 1, force)
         away = each_abs(distance - step) > pi
         stuck = away & (distance == rough)
         distance = each_pick(away, rough, distance - step)
@@ -187,7 +191,8 @@ def basin_of_each(ground, first):
     hill, well, far = scene.rests[first : first + 3]
     whole = len(scene.rests) == 3
     even = scene.even and (scene.level or whole)
-    return Basin(hill, well, far, well, well, ground.drop if first else 0, False, even, whole)
+    rise, beside = ground.drop if first else 0, (scene.shoulder, scene.moment)
+    return Basin(hill, well, far, well, well, rise, False, even, whole, *beside)
 
 
 def over_ridge_each(ground):

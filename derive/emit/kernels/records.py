@@ -18,10 +18,10 @@ class Record(tuple):
             setattr(cls, name, getattr(cls._places, place))
 
     def __repr__(self):
+        """The class and the fields by name."""
         fields = ", ".join(f"{name}={value!r}" for name, value in zip(self._fields, self, strict=True))
         return f"{type(self).__name__}({fields})"
 
     def _replace(self, **changed):
         """The same with some other values."""
         return type(self)([changed.get(name, value) for name, value in zip(self._fields, self, strict=True)])
-

@@ -11,9 +11,9 @@ def bracketed_root(function, places, values, blur):
     By the zero of the polynomial through the last five places at which the function is known, or by halving where that
     gains little. More places may be known than two. blur: a value that rounding may have made of zero.
     """
-    nodes, parts = (), ()
-    for place, value in zip(reversed(places), reversed(values), strict=True):
-        nodes, parts = with_node(nodes, parts, place, value)
+    nodes, parts = [], []
+    for k in range(len(places) - 1, -1, -1):
+        nodes, parts = with_node(nodes, parts, places[k], values[k])
     (a, b, *_), (value_a, value_b, *_) = places, values
     halve = False
     while True:
@@ -23,9 +23,11 @@ def bracketed_root(function, places, values, blur):
         if 2 * least > width or abs(value_a) <= blur:
             return a
         share = 0.5 if halve else (zero_near(nodes, parts) - a) / (b - a)
-        if 2 * abs(share) * width < least:
+        if 2 * abs(share) * width < least and abs(value_a) < 16 * blur:
             return a
-        share = max(least / width, share) if 0 < share < 1 else 0.5
+        if -0.05 < share < 0:  # rounding of the values puts the zero on the wrong side
+            share = -2 * share
+        share = max(least / width, share) if 0 <= share < 1 else 0.5
         trial = a + min(1 - least / width, share) * (b - a)
         value = function(trial)
         nodes, parts = with_node(nodes, parts, trial, value)
@@ -39,22 +41,23 @@ def bracketed_root(function, places, values, blur):
 
 def with_node(nodes, parts, place, value):
     """The places of a polynomial and its divided differences, with one more place in front, and no more than five."""
-    differences = [value]
-    for node, part in zip(nodes[:4], parts, strict=False):
-        differences.append((differences[-1] - part) / (place - node))
-    return (place, *nodes[:4]), differences
+    found = [value]
+    for k in range(min(len(nodes), 4)):
+        value = (value - parts[k]) / (place - nodes[k])
+        found.append(value)
+    return [place, *nodes[:4]], found
 
 
 def zero_near(nodes, parts):
     """A zero of a polynomial near its first place; any number where there is none."""
-    zero = nodes[0]
-    for _ in range(4):
-        slope = parts[-1]
-        for node, part in zip(nodes[-2:0:-1], parts[-2:0:-1], strict=True):
-            slope = part + (zero - node) * slope
-        if slope == 0:
+    last, before, third, fourth = (nodes + 2 * nodes[-1:])[:4]
+    value, slope, bend, twist, rest = (*parts, 0, 0, 0)[:5]
+    zero = last
+    for _ in range(3):
+        steep = slope + (zero - before) * (bend + (zero - third) * (twist + (zero - fourth) * rest))
+        if steep == 0:
             break
-        zero = nodes[0] - parts[0] / slope
+        zero = last - value / steep
     return zero
 
 

@@ -123,7 +123,7 @@ def fall_between(eta, piece, one, other):
 def valley(sample, places, fallen, length):
     """Samples on both sides of every crossing of a length that is shorter than a half-swing, for a convex arrival.
 
-    Without a crossing there may be none. fallen(one, other): how far V falls from the tip at a place to that at another.
+    Without a crossing there may be none. fallen(low, high): how far V falls between the tips at two places.
     """
     last = len(places) - 1
     found = [sample(places[k]) for k in sorted({last // 4, last // 2, last - last // 4})]
@@ -172,7 +172,7 @@ def convex_bound(found, gap, width, fallen):
     """
     bound = -inf
     for near, far in ((gap - 1, gap - 2), (gap, gap + 1)):
-        if 0 <= min(near, far) and max(near, far) < len(found):
+        if min(near, far) >= 0 and max(near, far) < len(found):
             beside = abs(fallen(found[near].place, found[far].place))
             if beside > 0:
                 steep = (found[far].arrival - found[near].arrival) / beside

@@ -55,7 +55,7 @@ def spreads(first: Mapping[str, Record], second: Mapping[str, Record]) -> Iterat
     for key in first:
         pair = [records[key].get("seconds") for records in (first, second) if key in records]
         if len(pair) == 2 and all(isinstance(one, Mapping) and one["runs"] > 1 for one in pair):
-            yield key, *pair
+            yield key, pair[0], pair[1]
 
 
 def about_times(first: Mapping[str, Record], second: Mapping[str, Record]) -> str:
