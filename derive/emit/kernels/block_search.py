@@ -85,9 +85,11 @@ def settled(part, which, brackets, place, slope, secants, doubts):
     if not brackets.range.size:
         return [], which[doubts]
     some = rows(part, brackets.range)
+    ease = 2
     if place is None:
         place, slope = roughly_at(some, brackets, brackets.left.dtype)
-    found, lost = polished(some, brackets, place, slope, secants)
+        ease = 1
+    found, lost = polished(some, brackets, place, slope, secants, ease)
     doubtful = concatenate([doubts, lost])
     if not found:
         return [], which[doubtful]
