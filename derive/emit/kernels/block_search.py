@@ -31,10 +31,10 @@ from numpy import (
 )
 
 from derive.emit.kernels.arithmetic import pi
+from derive.emit.kernels.block_hits import aimed
 from derive.emit.kernels.block_places import ROUGH_DEPTH, ends, places_of
 from derive.emit.kernels.block_records import joined, rounded_to, rows
 from derive.emit.kernels.block_roots import SECANTS, Brackets, polished, rough_times, roughly_at, surplus
-from derive.emit.kernels.block_shots import aimed
 
 ROUGH_SLOW = 12  # ℓ√(β + η) up to which single precision holds the places of all tips but the most extreme
 WIDE = 0.75  # first step between samples
