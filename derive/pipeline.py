@@ -98,15 +98,33 @@ def text_claims(runner: Runner) -> list[dict[str, Any]]:
 def judge_paper(
     runner: Runner, job: Job, formulas: Sequence[dict[str, Any]], claims: Sequence[dict[str, Any]] = ()
 ) -> None:
-    """Judge printed formulas, and claims of the running text."""
-    tasks = [Task("printed", record["id"], stages.judge_printed, (record,), stages.PRINTED) for record in formulas]
+    """Judge printed formulas, and claims of the running text.
+
+    A formula that has moved in the source is not judged again; one that cannot be read is, for its reason names the
+    place.
+    """
+
+    def printed(record: dict[str, Any]) -> Task:
+        return Task("printed", record["id"], stages.judge_printed, (record,), stages.PRINTED)
+
+    tasks = [printed(_anywhere(record)) for record in formulas]
     tasks += [Task("text", claim["id"], stages.judge_text, (claim,), stages.PRINTED) for claim in claims]
-    job.printed = runner.results(tasks, stages.derived)
+    found = runner.results(tasks, stages.derived)
+    for number, record in enumerate(formulas):
+        unread = found[number]["verdict"] == "UNREAD"
+        found[number] = runner.result(printed(record)) if unread else {**found[number], "line": record["line"]}
+    job.printed = found
+
+
+def _anywhere(record: dict[str, Any]) -> dict[str, Any]:
+    """A printed formula without its place in the source."""
+    return {**record, "line": 0, "column": 1}
 
 
 def write_up(runner: Runner, job: Job, formulas: Sequence[dict[str, Any]]) -> None:
     """Find the derived forms of printed formulas, read back and proved."""
-    tasks = [Task("derived", record["id"], stages.derive_forms, (record,), stages.REPORT) for record in formulas]
+    ask = stages.derive_forms
+    tasks = [Task("derived", record["id"], ask, (_anywhere(record),), stages.REPORT) for record in formulas]
     job.records = {record["id"]: record for record in formulas}
     job.derived = dict(zip(job.records, runner.results(tasks, stages.derived), strict=True))
 

@@ -18,7 +18,7 @@ from derive.measure.hard import Hardness, hardness
 from derive.measure.suites import SUITES, Case, suite
 
 CASES = ("field_only", "force_only", "parallel", "orthogonal", "oblique")
-SHOWN = ("tip_angle", "y", "z", "energy", "curvature(s)", "y(s)", "z(s)")
+SHOWN = ("tip_angle", "y", "z", "energy", "theta(s)", "curvature(s)", "y(s)", "z(s)")
 EACH = 12  # rods of a suite and load case, evenly chosen
 LONGEST = 300.0  # ℓ√(β + η); a reference for more takes seconds
 

@@ -22,6 +22,7 @@ PAGES = {
     "errata": ROOT / "docs" / "checks.md",
     "mutants": ROOT / "docs" / "checks.md",
     "hard": ROOT / "docs" / "hard_rods.md",
+    "scenes": ROOT / "docs" / "solver.md",
 }
 Found = Mapping[str, Any]
 ORDER = ("PROVED", "CERTIFIED", "AGREED", "DEFINITION", "REFUTED", "UNKNOWN", "UNREAD")  # in the order of trust

@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
+from dataclasses import asdict
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 from hypothesis import settings
 
-from derive import stages
+from derive import pipeline, stages
+from derive.paper.ledger import load_ledger
+from derive.runner import Runner
 from derive.theory.chain import Theory
 
 settings.register_profile("steady", deadline=None, derandomize=True, max_examples=40)
@@ -34,3 +40,31 @@ def own_cache(tmp_path_factory: pytest.TempPathFactory) -> None:
 def theory() -> Theory:
     """The whole derivation, once in each process. A test that changes it makes its own."""
     return stages.theory()
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Long tests come first, so that no process is left alone with one of them at the end."""
+    items.sort(key=lambda item: item.get_closest_marker("long") is None)
+
+
+@pytest.fixture(scope="session")
+def judged(own_cache: None) -> Callable[[str], Any]:
+    """The main job's verdict on a printed formula, or a claim of the running text; what is refuted is mended.
+
+    It comes from the cache of this run of the tests, which all processes share and which nothing stale is taken from.
+    """
+    claims = {claim["id"]: claim for claim in stages.list_text()}
+
+    def verdict(name: str) -> SimpleNamespace:
+        job, record = pipeline.Job(), load_ledger().get(name)
+        asked = ([], [claims[name]]) if record is None else ([asdict(record)], [])
+        pipeline.judge_paper(Runner(jobs=1), job, *asked)
+        return said(job.printed[0])
+
+    return verdict
+
+
+def said(verdict: dict[str, Any]) -> SimpleNamespace:
+    """A verdict from its plain data, with the names of `FormulaVerdict` and `StatementVerdict`."""
+    statements = [SimpleNamespace(**one) for one in verdict.get("statements", ())]
+    return SimpleNamespace(**{**verdict, "statements": statements})

@@ -64,12 +64,12 @@ def beside(label: str) -> list[str]:
 
 
 @pytest.mark.parametrize(("label", "old", "new", "edit"), CHANGES)
-def test_a_change_by_hand_is_refuted_and_undone(theory, label, old, new, edit):
+def test_a_change_by_hand_is_refuted_and_undone(theory, judged, label, old, new, edit):
     text = source(**{label: changed_copy(label, old, new)})
     there = from_source(text)
     assert [difference.id for difference in compare(LEDGER, text)] == [label]
     for name in beside(label):
-        assert judge_formula(theory, there[name]).verdict == judge_formula(theory, LEDGER[name]).verdict
+        assert judge_formula(theory, there[name]).verdict == judged(name).verdict
     verdict = judge_formula(theory, there[label], mend=True)
     assert verdict.verdict == REFUTED
     assert verdict.counterexample
@@ -82,15 +82,15 @@ def test_a_change_by_hand_is_refuted_and_undone(theory, label, old, new, edit):
 
 
 @pytest.mark.parametrize(("label", "edits"), MISPRINTS)
-def test_a_misprint_of_the_article_is_found_and_mended(theory, label, edits):
-    verdict = judge_formula(theory, LEDGER[label], mend=True)
+def test_a_misprint_of_the_article_is_found_and_mended(judged, label, edits):
+    verdict = judged(label)
     assert verdict.verdict == REFUTED
     assert verdict.counterexample
     assert verdict.repair["edits"] == edits
 
 
-def test_a_missing_factor_and_exchanged_operands_are_mended_together(theory):
-    verdict = judge_formula(theory, LEDGER["elmr9"], mend=True)
+def test_a_missing_factor_and_exchanged_operands_are_mended_together(judged):
+    verdict = judged("elmr9")
     assert verdict.verdict == REFUTED
     assert len(verdict.repair["edits"]) == 2
     assert "missing factor" in verdict.repair["edits"]

@@ -20,7 +20,7 @@ EXAMPLES = {
     "three_equilibria": ("three.svg", []),
 }
 # Those that measure for minutes, or write the tables of the documentation.
-MEASURING = {"hard_table", "measure_table", "readme_tables", "shape_times", "verdict_tables"}
+MEASURING = {"hard_table", "measure_table", "readme_tables", "scene_table", "verdict_tables"}
 DERIVING = {"permanent_magnet"}  # run in test_own_energy_modules.py
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 
 import mpmath as mp
@@ -10,10 +11,12 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from derive.emit.kernels import arithmetic
 from derive.emit.kernels.agm import half_period
 from derive.emit.kernels.api import equilibria, shape, sweep
 from derive.emit.kernels.arcs import rj_pair
 from derive.emit.kernels.arithmetic_mpmath import arctan_share
+from derive.emit.kernels.array_arithmetic import each_arctan_share
 from derive.emit.kernels.carlson import rf
 from derive.emit.kernels.roots import bracketed_root
 from derive.emit.kernels.swing import lengths, phase_at
@@ -79,6 +82,17 @@ def test_the_twin_s_arctangent_keeps_all_digits(exponent, phase, digits):
         assert abs(found / wanted - 1) < mp.mpf(10) ** (2 - digits)
 
 
+@given(st.floats(-12, 3), st.floats(-3, 3))
+def test_the_arctangent_of_numbers_keeps_its_digits(exponent, phase):
+    """A logarithm of a number near 1 lost forty roundings of it."""
+    z = 10.0**exponent * cmath.exp(1j * phase)
+    with mp.workdps(40):
+        root, end = mp.sqrt(mp.mpc(z)), complex(1 + mp.mpc(z))
+        wanted = mp.atan(root) / root
+        for found in (arithmetic.arctan_share(z, end), each_arctan_share(np.array([z]), np.array([end]))[0]):
+            assert abs(mp.mpc(found) / wanted - 1) < 6 * ULP
+
+
 @given(st.floats(-14, 0))
 def test_half_period_is_the_complete_integral(exponent):
     b = 10.0**exponent
@@ -91,6 +105,36 @@ def test_bracketed_root_finds_a_sign_change_to_rounding():
         values = ((-4 / 3) ** power, (5 / 3) ** power, (8 / 3) ** power)
         root = bracketed_root(lambda x, n=power: (x - 1 / 3) ** n, (-1.0, 2.0, 3.0), values, 0.0)
         assert abs(root - 1 / 3) < 1e-15
+
+
+@given(st.lists(st.floats(-1, 1), min_size=5, max_size=5), st.floats(0.05, 0.95), st.integers(2, 5))
+def test_bracketed_root_needs_few_values(coefficients, wanted, count):
+    """Of a gently bent function; what is known of it besides saves further ones."""
+    asked = []
+
+    def function(x):
+        asked.append(x)
+        bend = sum(one * x ** (k + 2) for k, one in enumerate(coefficients)) / 40
+        return x + bend - wanted - sum(one * wanted ** (k + 2) for k, one in enumerate(coefficients)) / 40
+
+    places = (0.0, 1.0, 2.0, -1.0, 1.5)[:count]
+    values = [function(place) for place in places]
+    asked.clear()
+    assert abs(bracketed_root(function, places, values, 0.0) - wanted) < 1e-14
+    assert len(asked) <= 9
+
+
+@pytest.mark.parametrize("jump", [1e-300, 1.0, 1e300])
+def test_bracketed_root_halves_where_a_curve_tells_nothing(jump):
+    """A step, wherever it is."""
+    asked = []
+
+    def function(x):
+        asked.append(x)
+        return jump if x > 0.7123 else -1.0
+
+    assert abs(bracketed_root(function, (0.0, 1.0, 2.0), (-1.0, jump, jump), 0.0) - 0.7123) < 2e-15
+    assert len(asked) < 160
 
 
 @st.composite

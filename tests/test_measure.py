@@ -17,10 +17,12 @@ from hypothesis import strategies as st
 from mpmath import mp, mpf
 
 from derive.cache import Cache
-from derive.measure.bench import fronts, growth, judged, known, precision, tables, timing
-from derive.measure.bench.cells import OURS, PEER, Cell, Method, Problem, measure
+from derive.diagrams.front_picture import styles
+from derive.measure.bench import again, fronts, growth, judged, known, precision, ratios, tables, timing
+from derive.measure.bench.cells import ARTICLE, OURS, PEER, Cell, Method, Problem, measure
 from derive.measure.bench.families import FAMILIES, Plan, families, parts
-from derive.measure.bench.methods import methods
+from derive.measure.bench.methods import at_once, methods
+from derive.measure.bench.methods.chebyshev import solve as collocated
 from derive.measure.bench.methods.outside import Outside
 from derive.measure.bench.methods.rod_solver import RodSolver, Solved, all_found
 from derive.measure.bench.tasks import TASKS, module_of
@@ -108,6 +110,48 @@ def test_what_is_incomplete_is_on_no_front_and_where_others_win_is_said() -> Non
     assert len(lines) == 2
 
 
+def test_what_solves_many_at_once_is_on_no_front_and_is_set_against_others() -> None:
+    ours, many = a_record("ours", 1.0, 1e-15, group=OURS), a_record("many", 0.02, 2e-15, group=OURS, share=1000)
+    theirs = a_record("solve_bvp", 5.0, 1e-11, setting="tol 1e-8", ratio={"median": 5.0})
+    records = [ours | {"ratio": {"median": 1.0}}, many | {"ratio": {"median": 0.02}}, theirs]
+    assert fronts.front(records) == records[:1]
+    *_, alone, at_a_time = ratios.section(records)
+    assert "| ours, n = 1 | solve_bvp, tol 1e-8 | 5 | 1e-15 and 1e-11 | 4.0 |" in alone
+    assert "| many, n = 1 | solve_bvp, tol 1e-8 | 250 | 2e-15 and 1e-11 | 3.7 |" in at_a_time
+    assert ratios.section(records[:2]) == []
+    part = a_record("SciPy ellipj", 0.5, None, whole=False, ratio={"median": 0.5})
+    assert "| 0.5 | 1e-15 and – | – |" in ratios.section([records[0], part])[-1]
+
+
+def test_two_runs_are_compared(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Times may differ, and how far they do is told; any other number may not."""
+    record = a_record("ours", 1.0, 1e-15)
+    slower = a_record("ours", 3.0, 1e-15)
+    other = a_record("ours", 1.0, 2e-15)
+    for name, one in (("first", record), ("slower", slower), ("other", other)):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "records.jsonl").write_text(f"{{}}\n{json.dumps(one)}\n", encoding="utf-8")
+    first = str(tmp_path / "first")
+    assert again.main([first, str(tmp_path / "slower")]) == 0
+    told = capsys.readouterr().out
+    assert "1 records in both, 0 in one alone; 0 differ in more than times" in told
+    assert "of 1 times 0 are within the spread of the first run, 0 spreads overlap" in told
+    assert "3.00× (tasks/T1/ours/n = 1)" in told
+    assert again.main([first, str(tmp_path / "other")]) == 1
+    assert "tasks/T1/ours/n = 1: errors was" in capsys.readouterr().err
+    assert again.main([first, str(tmp_path)]) == 2
+    assert again.main([first]) == 2
+    assert "holds no records of a run" in capsys.readouterr().err
+
+
+def test_methods_of_others_are_told_apart_in_pictures() -> None:
+    """By the same looks in all of them."""
+    looks = styles([a_record(method.name, 1.0, 1e-9, group=method.group) for method in methods()])
+    others = [looks[method.name] for method in methods() if method.group not in (OURS, ARTICLE)]
+    assert len(set(others)) == len(others)
+    assert not set(others) & {looks[method.name] for method in methods() if method.group in (OURS, ARTICLE)}
+
+
 @given(st.floats(-1, 3), st.floats(1e-9, 1))
 def test_an_exponent_is_found(power: float, start: float) -> None:
     rows = [
@@ -167,6 +211,29 @@ def test_solvers_of_others_find_the_article_s_rod(name: str) -> None:
     assert abs(theta[0] - PAPER.clamp_angle) < limit
     assert abs(y[0]) < PAPER.length * limit
     assert abs(y[1] - Y) < PAPER.length * limit
+
+
+def test_a_batch_of_rods_is_what_one_by_one_gives() -> None:
+    """And the rod itself stands in its midst, as given."""
+    beta, eta = at_once.loads(PAPER)
+    assert (beta[at_once.MANY // 2], eta[at_once.MANY // 2]) == (PAPER.beta, PAPER.eta)
+    assert len(set(beta.tolist())) == at_once.MANY
+    found = at_once.stacked(beta[:3], eta[:3], PAPER, 0.8, 24)
+    for k, (tip, y, z) in enumerate(found.T):
+        alone = collocated(replace(PAPER, beta=float(beta[k]), eta=float(eta[k])), 0.8, 24)
+        assert alone is not None
+        assert (tip, y, z) == pytest.approx((alone.tip_angle, alone.y, alone.z), abs=1e-11)
+    n = 7
+    assert at_once.integrals(n) == pytest.approx(
+        [np.polynomial.chebyshev.chebint(row, lbnd=-1).sum() for row in np.eye(n + 1)]
+    )
+
+
+def test_a_batch_in_which_a_rod_does_not_settle_loses_that_rod_alone() -> None:
+    beta, eta = np.array([PAPER.beta, 1e9]), np.array([PAPER.eta, 1e9])
+    tips = at_once.stacked(beta, eta, PAPER, 0.8, 16)[0]
+    assert abs(tips[0] - TIP) < 1e-3
+    assert np.isnan(tips[1])
 
 
 def test_guesses_that_lead_nowhere_are_no_equilibria() -> None:
@@ -241,22 +308,38 @@ def test_the_readme_s_table_is_written_from_a_full_run(tmp_path: Path, monkeypat
     monkeypatch.syspath_prepend(str(ROOT / "examples"))
     script = importlib.import_module("measure_table")
     records = [
-        a_record(method, 1.0, 1e-9, problem=problem, title=problem, setting=setting.replace("*", "n = 3"))
+        a_record(
+            method,
+            1.0,
+            1e-9,
+            problem=problem,
+            title=problem,
+            setting=setting.replace("*", "n = 3"),
+            group=OURS if method.startswith("emitted") else PEER,
+        )
         for problem, method, setting in tables.README_ROWS
     ]
-    source, readme = tmp_path / "measure.json", tmp_path / "README.md"
+    source, readme, guide = tmp_path / "measure.json", tmp_path / "README.md", tmp_path / "measure.md"
+    guide.write_text("before\n<!-- ratios -->\n<!-- end ratios -->\n", encoding="utf-8")
     readme.write_text("before\n<!-- measure -->\nold\n<!-- end measure -->\nafter\n", encoding="utf-8")
     found = {"about": {"mode": "full"}, "records": {"tasks": records}, "failed": {}}
     source.write_text(json.dumps(found), encoding="utf-8")
-    assert script.main(source, readme) == ""
+    (tmp_path / "T1.svg").write_text("<svg/>", encoding="utf-8")
+    assert script.main(source, readme, guide) == ""
+    assert (tmp_path / "measure-T1.svg").read_text(encoding="utf-8") == "<svg/>"
+    assert all((ROOT / "docs" / name).exists() for name in script.PICTURES.values())
     text = readme.read_text(encoding="utf-8")
     assert text.count("\n| ") == 1 + len(records)
+    assert "| solve_bvp, tol 1e-8 |" in guide.read_text(encoding="utf-8")
     assert text.startswith("before\n")
     assert "old" not in text
     source.write_text(json.dumps(found | {"records": {"tasks": records[1:]}}), encoding="utf-8")
-    assert "lacks T1/emitted, NumPy" in script.main(source, readme)
+    assert "lacks T1/emitted, NumPy" in script.main(source, readme, guide)
+    guide.write_text("no markers\n", encoding="utf-8")
+    source.write_text(json.dumps(found), encoding="utf-8")
+    assert "measure.md: has no lines <!-- ratios -->" in script.main(source, readme, guide)
     source.write_text("no JSON", encoding="utf-8")
-    assert "no result of `derive measure`" in script.main(source, readme)
+    assert "no result of `derive measure`" in script.main(source, readme, guide)
 
 
 @pytest.fixture(autouse=True)

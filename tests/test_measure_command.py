@@ -9,15 +9,18 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from altered import altered
 
+from derive import commands_measure
 from derive.cli import main
-from derive.measure.bench import methods, precision
+from derive.measure.bench import again, methods, precision
 from derive.measure.bench.store import FILE
 from generated import parallel_numpy
 
 QUICK = ("measure", "--quick")
 KILLED = """
 import os, signal
+from derive import commands_measure
 from derive.cli import main
 from derive.measure.bench.store import Store
 
@@ -72,10 +75,7 @@ def test_a_spoilt_solver_fails_and_is_named(
     whole = parallel_numpy.folds
 
     def spoilt(*loads: Any, **options: Any) -> list[Any]:
-        found = whole(*loads, **options)
-        for fold in found:
-            object.__setattr__(fold, "eta", fold.eta * (1 + 1e-12))
-        return found
+        return [altered(fold, eta=fold.eta * (1 + 1e-12)) for fold in whole(*loads, **options)]
 
     monkeypatch.setattr(parallel_numpy, "folds", spoilt)
     capsys.readouterr()
@@ -89,6 +89,22 @@ def test_a_spoilt_solver_fails_and_is_named(
     monkeypatch.setattr(parallel_numpy, "folds", broken)
     assert main([*QUICK, "--only", "T6"]) == 1
     assert "tasks/T6/emitted, NumPy/all in a range: ArithmeticError: no fold today" in capsys.readouterr().err
+
+
+def test_formulas_that_cannot_be_emitted_are_a_finding(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """And the run goes on."""
+
+    def refuse(name: str) -> Any:
+        raise RuntimeError(f"{name} cannot be emitted today")
+
+    monkeypatch.setattr(commands_measure, "literal_modules", lambda options: refuse)
+    monkeypatch.setattr(methods, "FILES", ("emitted", "article"))
+    assert main([*QUICK, "--only", "T1"]) == 1
+    told = capsys.readouterr()
+    assert "article, NumPy/γ and tip given: RuntimeError: literal_numpy cannot be emitted today" in told.err
+    assert "emitted, NumPy" in told.out
 
 
 def test_an_interrupted_run_says_how_to_go_on(
@@ -121,8 +137,11 @@ def test_mistakes_are_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str
 
 @pytest.mark.long
 def test_the_quick_run_holds(tmp_path: Path) -> None:
-    """Every method on every task, growth, tables and pictures."""
+    """Every method on every task, growth, tables and pictures; and once more, with the same errors to the digit."""
+    other = tmp_path / "again"
+    assert main([*QUICK, "--out", str(other)]) == 0
     assert main([*QUICK, "--out", str(tmp_path)]) == 0
+    assert again.main([str(tmp_path), str(other)]) == 0
     kept = records(tmp_path)
     assert len(kept) > 100
     drawn = {path.stem for path in tmp_path.glob("*.png")}

@@ -241,7 +241,7 @@ def test_elements_have_their_parts() -> None:
 
 @pytest.mark.long
 def test_all_that_the_page_shows_is_gathered_by_the_job() -> None:
-    job, runner = pipeline.Job(), Runner(Cache(enabled=False), 1)
+    job, runner = pipeline.Job(), Runner(Cache(), 1)
     gathered = page_job.gather(runner, job, [shipped_scenes()["remote_control"]])
     job.claims = list(findings().claims)
     made = page_job.page_text(job, gathered)

@@ -10,7 +10,7 @@ import pytest
 
 from derive.check.judge import judge
 from derive.check.misprints import mutants
-from derive.check.printed import judge_formula, judge_formulas
+from derive.check.printed import judge_formula
 from derive.check.report import worst
 from derive.check.same import same_meaning
 from derive.check.statements import judge_statement
@@ -33,8 +33,8 @@ SAMPLE = 3  # mutants of each formula that are judged by default
 
 
 @pytest.fixture(scope="session")
-def verdicts(theory):
-    return {verdict.id: verdict for verdict in judge_formulas(theory, LEDGER)}
+def verdicts(judged):
+    return {label: judged(label) for label in LEDGER}
 
 
 def printed(theory, label: str, old: str, new: str):
@@ -69,7 +69,7 @@ def test_right_of_an_arrow_values_are_taken_at_the_limit(theory, verdicts):
     verdict = verdicts["exhpf10"]
     assert "right of the arrow" in verdict.reason
     middle = verdict.statements[1]
-    assert [relation.relation[:4] for relation in middle.relations] == ["1: -", "2: ="]
+    assert [relation["relation"][:4] for relation in middle.relations] == ["1: -", "2: ="]
     # The same equality by itself, without the arrow, is an identity in γ̄: and it is wrong.
     assert printed(theory, "exhpf10", r"\xi_b \to \xi_b =", r"\xi_b =").verdict == REFUTED
     assert printed(theory, "exhpf10", r"1 + \frac{2 \beta}", r"1 + \frac{\beta}").verdict == REFUTED
@@ -117,10 +117,10 @@ def test_what_cannot_be_read_or_judged_says_why(theory):
     assert "does not hold" in wrong.reason
 
 
-def test_the_worst_part_decides_and_json_is_plain(verdicts):
+def test_the_worst_part_decides_and_json_is_plain(theory):
     assert worst([PROVED, AGREED, DEFINITION]) == AGREED
     assert worst([PROVED, REFUTED, UNREAD]) == REFUTED
-    record = json.loads(json.dumps(verdicts["exsl18"].to_json()))
+    record = json.loads(json.dumps(judge_formula(theory, LEDGER["exsl18"]).to_json()))
     keys = ["id", "line", "verdict", "printed", "method", "counterexample", "repair", "reason", "seconds", "statements"]
     assert list(record) == keys
     assert [statement["verdict"] for statement in record["statements"]] == ["PROVED", "PROVED"]

@@ -57,8 +57,8 @@ WRONG = [
 
 
 @pytest.fixture(scope="module")
-def verdicts(theory):
-    return {label: judge_formula(theory, LEDGER[label]) for label in HOLD}
+def verdicts(judged):
+    return {label: judged(label) for label in HOLD}
 
 
 def at_once(claim: Claim):
@@ -81,8 +81,8 @@ def test_what_is_printed_holds(verdicts, label):
 
 
 @pytest.mark.parametrize("label", MENDED)
-def test_what_is_misprinted_is_refuted_and_mended(theory, label):
-    verdict = judge_formula(theory, LEDGER[label], mend=True)
+def test_what_is_misprinted_is_refuted_and_mended(theory, judged, label):
+    verdict = judged(label)
     assert verdict.verdict == REFUTED
     assert verdict.counterexample
     assert verdict.repair["verdict"] == PROVED

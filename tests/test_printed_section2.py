@@ -26,16 +26,16 @@ WRONG = {"kth20b", "kth23"}
 NAMING = {"kthr7", "kthr12", "kth14", "kth15", "kth18", "kth28"}
 
 
-def judged(theory, label: str, old: str = "", new: str = ""):
-    """The verdict on a record, with one piece of its LaTeX changed."""
+def changed(theory, label: str, old: str, new: str):
+    """The verdict on a record with one piece of its LaTeX changed."""
     record = LEDGER[label]
     assert old in record.latex
-    return judge_formula(theory, replace(record, latex=record.latex.replace(old, new, 1) if old else record.latex))
+    return judge_formula(theory, replace(record, latex=record.latex.replace(old, new, 1)))
 
 
 @pytest.mark.parametrize("label", [label for label in LABELS if label not in WRONG])
-def test_what_the_article_prints_holds(theory, label):
-    verdict = judged(theory, label)
+def test_what_the_article_prints_holds(judged, label):
+    verdict = judged(label)
     assert verdict.verdict in (PROVED, DEFINITION), verdict.reason
     assert (verdict.verdict == DEFINITION) == (label in NAMING)
 
@@ -52,20 +52,20 @@ def test_every_display_has_a_chain_back_to_its_roots(theory, label):
     assert not any(claims[explain.ordered([start], claims)[0]].steps for start in starts)
 
 
-def test_energy_of_a_particle_has_a_wrong_sign_and_is_mended(theory):
-    verdict = judge_formula(theory, LEDGER["kth20b"], mend=True)
+def test_energy_of_a_particle_has_a_wrong_sign_and_is_mended(judged):
+    verdict = judged("kth20b")
     assert verdict.verdict == REFUTED
     assert {"chi_par", "N_perp", "lhs", "rhs"} <= set(verdict.counterexample)
     assert verdict.repair["edits"] == ["sign"]
     assert r"+ \tilde{\chi}" in verdict.repair["latex"]
 
 
-def test_last_line_of_the_square_along_the_particle_is_wrong(theory):
+def test_last_line_of_the_square_along_the_particle_is_wrong(theory, judged):
     """The part of first order that the twist makes is 2 X_α (κ·d_α × d_β)(h·d₃)(h·d_β)."""
-    verdict = judge_formula(theory, LEDGER["kth23"], mend=True)
+    verdict = judged("kth23")
     assert verdict.repair["verdict"] == "PROVED"
     assert len(verdict.repair["edits"]) == 2
-    relations = [one.verdict.verdict for one in verdict.statements[0].relations]
+    relations = [one["verdict"] for one in verdict.statements[0].relations]
     assert relations == [PROVED, PROVED, PROVED, REFUTED]
     record = LEDGER["kth23"]
     first, second = r"-2 X_\alpha (\boldsymbol{\kappa}", r") (\mathbbm{h}_\mathrm{a} \cdot\boldsymbol{d}_\alpha)"
@@ -126,7 +126,7 @@ CHANGED = [
 
 @pytest.mark.parametrize(("label", "old", "new"), CHANGED, ids=[f"{one[0]} {one[2]}" for one in CHANGED])
 def test_changed_copies_are_refuted(theory, label, old, new):
-    verdict = judged(theory, label, old, new)
+    verdict = changed(theory, label, old, new)
     assert verdict.verdict == REFUTED, verdict.reason
     assert verdict.counterexample
 

@@ -59,8 +59,8 @@ def sound(label: str):
 
 
 @pytest.mark.parametrize("label", LABELS)
-def test_verdicts(theory, label):
-    verdict = judge_formula(theory, LEDGER[label])
+def test_verdicts(theory, judged, label):
+    verdict = judged(label)
     if label in WRONG:
         assert verdict.verdict == REFUTED
         assert verdict.counterexample
@@ -281,16 +281,16 @@ def test_no_mutant_survives_unproved(theory, label):
     assert fates[KILLED] > 0.6 * sum(fates.values())
 
 
-def test_the_wrong_sign_in_the_constraint_is_mended(theory):
-    (statement,) = judge_formula(theory, LEDGER["elmr7"], mend=True).statements
+def test_the_wrong_sign_in_the_constraint_is_mended(judged):
+    (statement,) = judged("elmr7").statements
     assert statement.repair is not None
     assert statement.repair["edits"] == ["sign"]
     assert parse(statement.repair["latex"], "variation") == parse(sound("elmr7").latex, "variation")
 
 
 @pytest.mark.long
-def test_the_couple_in_the_stationary_energy_takes_two_edits(theory):
-    (statement,) = judge_formula(theory, LEDGER["elmr9"], mend=True).statements
+def test_the_couple_in_the_stationary_energy_takes_two_edits(judged):
+    (statement,) = judged("elmr9").statements
     assert statement.repair is not None
     assert len(statement.repair["edits"]) == 2
     (mended,) = parse(statement.repair["latex"], "variation")

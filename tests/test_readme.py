@@ -64,3 +64,11 @@ def test_a_table_that_is_not_of_the_run_is_seen(tables: ModuleType) -> None:
     assert tables.differing(found, right) == []
     assert tables.differing(found, {**right, "errata": errata.replace("| 3 |", "| 4 |")}) == ["errata"]
     assert tables.differing({**found, "claims": {"PROVED": 1}}, right) == ["verdicts"]
+
+
+def test_the_table_of_scenes_has_the_sizes_of_the_modules(tables: ModuleType) -> None:
+    scenes = importlib.import_module("scene_table")
+    rows = [row for row in tables.table("scenes").splitlines() if row.startswith("| ") and row != scenes.HEAD]
+    known = scenes.sizes(scenes.texts())
+    assert len(rows) == 14
+    assert [row[: len(one)] for row, one in zip(rows, known, strict=True)] == known, "run examples/scene_table.py"

@@ -57,8 +57,8 @@ def test_a_misprint_is_refuted_and_mended(theory, label, old, new):
     assert verdict.repair == statement.repair
 
 
-def test_the_curvature_is_mended_to_its_value_along_the_rod(theory):
-    verdict = judge_formula(theory, LEDGER["slch5"], mend=True)
+def test_the_curvature_is_mended_to_its_value_along_the_rod(judged):
+    verdict = judged("slch5")
     assert verdict.repair["latex"] in (
         r"\kappa_{x}^{2} = \gamma - 2 \beta \xi",
         r"\kappa_{x}^{2} = \gamma - 2 \beta \xi \left( s \right)",

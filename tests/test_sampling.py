@@ -68,7 +68,7 @@ def test_few_samples_bracket_what_many_do(share, clamp_angle, field_angle, lengt
             continue
         many = [sample(places[0] + (places[-1] - places[0]) * k / 300) for k in range(301)]
         assume(all(abs(item.arrival - length) > 1e-6 for item in many))
-        few = valley(sample, places, lambda a, b, p=piece: fall_between(1 - share, p, a.place, b.place), length)
+        few = valley(sample, places, lambda a, b, p=piece: fall_between(1 - share, p, a, b), length)
         changes, found = sign_changes(many, length), sign_changes(few, length)
         assert len(found) >= len(changes)
         assert all(any(a < high and low < b for a, b in found) for low, high in changes)

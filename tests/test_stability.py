@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from math import pi, sqrt
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -17,7 +18,7 @@ from derive.measure.bench.families import Plan
 from derive.measure.reference import Rod
 from derive.measure.stability import main, record_of, table, worst_input
 from derive.measure.stability_formulas import compiled, examine, examined, known_formulas, operations
-from derive.measure.stability_rods import Genes, drawn, heard_on, listening
+from derive.measure.stability_rods import Genes, drawn, heard_on, kernels, listening
 from derive.measure.stability_search import Boxes, over_arguments
 
 ROD = Rod(0.5, 0.8, 5.0, 2.0, 0.3)
@@ -73,8 +74,10 @@ def test_every_formula_of_the_kernels_is_known_and_exact() -> None:
     with mp.workdps(30):
         value = compiled(3 * x**2 / y - sp.sqrt(y) + sp.Rational(1, 3), [x, y])([mp.mpf(2), mp.mpf(4)])
         assert value == pytest.approx(3 - 2 + 1 / 3)
-    with pytest.raises(TypeError, match="no exact value is known of sin"):
-        compiled(sp.sin(x), [x])
+        turned = compiled(sp.sin(x) * sp.cos(y), [x, y])([mp.mpf(2), mp.mpf(4)])
+        assert turned == mp.sin(2) * mp.cos(4)
+    with pytest.raises(TypeError, match="no exact value is known of tan"):
+        compiled(sp.tan(x), [x])
 
 
 def test_what_kernels_call_is_heard_and_nothing_stays_changed() -> None:
@@ -88,6 +91,20 @@ def test_what_kernels_call_is_heard_and_nothing_stays_changed() -> None:
     assert swing.phase_sum is before
     # sin² and cos² belong together wherever they are called.
     assert all(abs(square + rest - 1) < 1e-14 for _, _, square, rest in heard_on(ROD, "phase_rate"))
+
+
+def test_all_kernels_that_use_formulas_are_listened_to() -> None:
+    folder = Path(formulas.__file__).parent
+    using = {path.stem for path in folder.glob("*.py") if "kernels.formulas import" in path.read_text("utf-8")}
+    with listening(list(known_formulas()), {}):
+        deaf = {
+            f"{module.__name__}.{name}"
+            for module in kernels()
+            for name in known_formulas()
+            if vars(module).get(name) is getattr(formulas, name)
+        }
+    assert not deaf
+    assert using <= {module.__name__.rpartition(".")[2] for module in kernels()}
 
 
 def test_rods_are_rods_and_come_again() -> None:

@@ -21,8 +21,8 @@ SAMPLE = 1  # variants of each claim that are judged by default
 
 
 @pytest.fixture(scope="session")
-def verdicts(theory):
-    return {claim.id: judge_text(theory, claim) for claim in EXACT}
+def verdicts(judged):
+    return {claim.id: judged(claim.id) for claim in EXACT}
 
 
 def printed_source(**changed: str) -> str:

@@ -137,7 +137,9 @@ def tasks():
 
 @pytest.mark.long
 def test_a_flipped_sign_breaks_a_claim():
-    with multiprocessing.get_context("spawn").Pool(2, maxtasksperchild=1) as pool:
+    context = multiprocessing.get_context("forkserver")
+    context.set_forkserver_preload(["sympy", "mpmath"])  # what no flip changes is imported once
+    with context.Pool(2, maxtasksperchild=1) as pool:
         outcomes = list(pool.imap_unordered(trial, tasks(), chunksize=1))
     survivors = [f"{script}.py:{line}" for script, line, outcome in outcomes if not outcome]
     assert not survivors

@@ -230,9 +230,9 @@ def test_position_and_energy(formulas, motions):
             place = Place(formulas, motion, part)
             point = integrated(motion, place.arc)
             shift = place.shift(formulas, motion)
-            y, z = (
-                formulas[name](mp.sin(motion.tip), mp.cos(motion.tip), place.arc, *shift) for name in ("arc_y", "arc_z")
-            )
+            tip = mp.sin(motion.tip), mp.cos(motion.tip)
+            y = formulas["arc_y"](*tip, *shift) + place.arc * tip[1]
+            z = formulas["arc_z"](*tip, *shift) + place.arc * tip[0]
             assert abs(mp.mpc(y - point.y, z - point.z)) < CLOSE
             beta, gamma = motion.field[0], formulas["gamma"](*motion.loads())
             for square in place.squares(formulas, motion, y):
@@ -249,7 +249,8 @@ def test_the_second_form_at_the_far_turning_point(formulas, motions):
         place.rate = mpf(0)
         point = integrated(motion, place.arc)
         assert abs(point.curvature) < CLOSE
-        y = formulas["arc_y"](mp.sin(motion.tip), mp.cos(motion.tip), place.arc, *place.shift(formulas, motion))
+        tip = mp.sin(motion.tip), mp.cos(motion.tip)
+        y = formulas["arc_y"](*tip, *place.shift(formulas, motion)) + place.arc * tip[1]
         root, (other, last) = formulas["far_root"](place.near_factor, mp.cos(motion.half_width)), place.pair
         seconds = mp.re(mp.elliprd(0, other, last) + mp.elliprd(0, last, other))
         ends = (place.rate, place.near_factor, place.far, place.arc, y, seconds)
@@ -340,10 +341,10 @@ def test_energy_by_the_phase(formulas, motions):
                 return (b * b - a * a) * mp.sin(x) ** 2 / mp.sqrt((a * mp.cos(x)) ** 2 + (b * mp.sin(x)) ** 2)
 
             growth, point = mp.quad(turning, mp.linspace(0, psi, 9)), integrated(motion, place.arc)
-            aligned = mp.cos(motion.tip - alpha)
-            known = (beta, eta, mp.cos(motion.tip), aligned, first, root, place.arc, point.y)
+            straight = place.arc * mp.cos(motion.tip), place.arc * eta * mp.cos(motion.tip - alpha) ** 2
+            known = (beta, first, root, place.arc, point.y - straight[0])
             for kink in kinks:
-                square_there = formulas["arc_square"](*known, kink, growth)
+                square_there = formulas["arc_square"](*known, kink, growth) + straight[1]
                 gamma = formulas["gamma"](*motion.loads())
                 energy = formulas["rod_energy"](beta, gamma, place.arc, point.y, square_there)
                 assert abs(energy - (point.energy - beta * point.y)) < CLOSE

@@ -60,14 +60,16 @@ def _text(value: sp.Expr, point: ExactPoint) -> str:
 
 def differ(lhs: sp.Expr, rhs: sp.Expr, point: ExactPoint, digits: int = DIGITS) -> tuple[Any, Any] | None:
     """Both values where the sides differ at the point, None where they agree; raises UndefinedError."""
-    left, right = evaluate(lhs, point, digits), evaluate(rhs, point, digits)
+    known: dict[sp.Expr, Any] = {}  # what the sides, and their terms, have in common is evaluated once
+    left, right = evaluate(lhs, point, digits, known), evaluate(rhs, point, digits, known)
     with mp.workdps(digits):
         gap = left - right
-        scale = magnitude(lhs, point, digits) + magnitude(rhs, point, digits)
+        scale = magnitude(lhs, point, digits, known) + magnitude(rhs, point, digits, known)
         if abs(gap) <= TOLERANCE * scale:
             return None
+    known = {}
     with mp.workdps(2 * digits):
-        again = evaluate(lhs, point, 2 * digits) - evaluate(rhs, point, 2 * digits)
+        again = evaluate(lhs, point, 2 * digits, known) - evaluate(rhs, point, 2 * digits, known)
         return (left, right) if abs(again - gap) <= SAME * abs(again) else None
 
 
@@ -81,14 +83,16 @@ def _equal_at(entries: list[tuple[sp.Expr, sp.Expr]], point: ExactPoint) -> dict
 
 def _sign_fails(relation: Positive | NonNegative, point: ExactPoint) -> dict[str, str] | None:
     expr, may_vanish = relation.expr, isinstance(relation, NonNegative)
-    value = evaluate(expr, point, DIGITS)
+    known: dict[sp.Expr, Any] = {}
+    value = evaluate(expr, point, DIGITS, known)
     if mp.im(value) != 0:
         return shown(point, value, mp.mpf(0)) if mp.im(evaluate(expr, point, 2 * DIGITS)) != 0 else None
-    if value > TOLERANCE * magnitude(expr, point, DIGITS):
+    if value > TOLERANCE * magnitude(expr, point, DIGITS, known):
         return None
-    again = evaluate(expr, point, 2 * DIGITS)
+    known = {}
+    again = evaluate(expr, point, 2 * DIGITS, known)
     with mp.workdps(2 * DIGITS):
-        noise = TOLERANCE * magnitude(expr, point, 2 * DIGITS) if may_vanish else mp.mpf(0)
+        noise = TOLERANCE * magnitude(expr, point, 2 * DIGITS, known) if may_vanish else mp.mpf(0)
         return shown(point, value, mp.mpf(0)) if again < -noise or (again <= 0 and not may_vanish) else None
 
 

@@ -27,6 +27,7 @@ SIGNS = (
 )
 """Kind of failure, its sign, and what the legend says; the first that applies is drawn. Others are a diamond."""
 OTHER = ("D", "other failure")
+BEYOND = ("+", "beyond the bound (of ours alone)")
 MOST_LABELS = 8
 CELLS: dict[str, Any] = {"edgecolors": "white", "lw": 0.2}
 
@@ -57,7 +58,7 @@ def draw_map(records: Sequence[Record]) -> Any:
         mark(axis, known, shown)
         label(axis, records, TITLES[solver])
     bar = drawing.colorbar(image, ax=list(axes[: len(solvers)]), shrink=0.8, pad=0.01)
-    bar.set_label("log₁₀ of the worst error in bounds")
+    bar.ax.set_title("error in\nbounds,\nlog₁₀", fontsize=7)  # beside the bar it would be taken for the next panel's
     image = axes[-2].pcolormesh(grid(of(records, OURS), "condition", -3.0), cmap="cividis", **CELLS)
     label(axes[-2], records, "condition number, log₁₀")
     drawing.colorbar(image, ax=axes[-2], shrink=0.8, pad=0.02)
@@ -79,15 +80,17 @@ def grid(known: Sequence[tuple[Record, dict[str, Any]]], name: str, least: float
 
 
 def mark(axis: Any, known: Sequence[tuple[Record, dict[str, Any]]], shown: dict[str, str]) -> None:
-    """Signs where a solver fails."""
+    """Signs where a solver fails, or ours is beyond its bound."""
     for record, one in known:
         kinds = {failure.split(":")[0] for failure in one["failures"]}
-        if not kinds:
+        beyond = one["solver"] == OURS and (one["bounds"] or 0) > 1
+        if not kinds and not beyond:
             continue
         fitting = [(sign, text) for kind, sign, text in SIGNS if kind in kinds]
-        sign, text = fitting[0] if fitting else OTHER
+        sign, text = fitting[0] if fitting else OTHER if kinds else BEYOND
         shown[text] = sign
-        axis.plot(record["column"] + 0.5, record["row"] + 0.5, marker=sign, color="black", mfc="white", ms=4, mew=0.8)
+        style = {"color": "white", "ms": 6, "mew": 1.4} if sign == "+" else {"color": "black", "ms": 4, "mew": 0.8}
+        axis.plot(record["column"] + 0.5, record["row"] + 0.5, marker=sign, mfc="white", **style)
 
 
 def signs(shown: dict[str, str]) -> list[Any]:
@@ -145,6 +148,6 @@ def draw_line(records: Sequence[Record]) -> Any:
     left.axhline(1, color="0.5", lw=0.8)
     left.set_ylabel("worst error in bounds")
     right.set_ylabel("seconds")
-    right.legend(fontsize=7)
+    drawing.legend(*right.get_legend_handles_labels(), loc="outside lower center", ncols=len(solvers), fontsize=8)
     drawing.suptitle(records[0]["title"] + "; a line that ends has no values beyond")
     return drawing

@@ -8,6 +8,7 @@ from collections.abc import Collection, Mapping
 from derive.emit.backends import KNOWN_BY
 from derive.emit.drop import drop_parameters
 from derive.emit.pieces import Piece
+from derive.emit.trees import walk
 
 
 def drop_carried(pieces: Mapping[str, Piece], reached: Collection[str]) -> None:
@@ -25,8 +26,9 @@ def drop_carried(pieces: Mapping[str, Piece], reached: Collection[str]) -> None:
 
 def _read(node: ast.AST) -> set[str]:
     """Attributes that are loaded, and keywords of calls of anything but the results themselves."""
-    found = {n.attr for n in ast.walk(node) if isinstance(n, ast.Attribute) and isinstance(n.ctx, ast.Load)}
-    for call in (n for n in ast.walk(node) if isinstance(n, ast.Call)):
+    parts = list(walk(node))
+    found = {n.attr for n in parts if isinstance(n, ast.Attribute) and isinstance(n.ctx, ast.Load)}
+    for call in (n for n in parts if isinstance(n, ast.Call)):
         if not (isinstance(call.func, ast.Name) and call.func.id in KNOWN_BY):
             found |= {str(keyword.arg) for keyword in call.keywords}
     return found

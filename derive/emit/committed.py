@@ -17,6 +17,7 @@ from derive.emit.kernel_files import parse_kernel, read_kernels
 from derive.emit.layout import lines_of
 from derive.emit.printer import formula_function
 from derive.emit.render import render
+from derive.emit.trees import walk
 
 _TITLES = {
     "solver": "The formulas as the theory derives them, nothing folded",
@@ -64,7 +65,7 @@ def formulas_text(theory: Any, stem: str = FORMULAS[0], names: Collection[str] |
 
 
 def _imports(nodes: Iterable[ast.FunctionDef], table: Mapping[str, tuple[str, str]]) -> list[str]:
-    called = {n.id for node in nodes for n in ast.walk(node) if isinstance(n, ast.Name)}
+    called = {n.id for node in nodes for n in walk(node) if isinstance(n, ast.Name)}
     files: dict[str, set[str]] = {}
     for file, name in table.values():
         if file and name in called:

@@ -9,6 +9,7 @@ from typing import Any
 
 from derive.emit.errors import DifferentValueError, EmitError
 from derive.emit.pieces import Piece, bound_names
+from derive.emit.trees import walk
 from derive.emit.values import value_of
 
 
@@ -25,15 +26,20 @@ def drop_parameters(
     ``Piece.parameters``, which are brought up to date.
     """
     different: dict[tuple[str, str], str] = {}
+    losing = {name for name, gone in drops.items() if gone}
     for piece in pieces.values():
-        if piece.kind != "formula":
-            known = everywhere(piece)
+        known = () if piece.kind == "formula" else everywhere(piece)
+        if piece.kind != "formula" and (known or drops.get(piece.name) or _names_one_of(piece.node, losing)):
             _Definitions(piece, set(drops.get(piece.name, ())), set(known)).visit(piece.node)
             _Calls(piece, pieces, drops, known, folded or {}, different).visit(piece.node)
     if different:
         raise DifferentValueError(next(iter(different.values())), different)
     for name, gone in drops.items():
         pieces[name].parameters = tuple(p for p in pieces[name].parameters if p not in gone)
+
+
+def _names_one_of(node: ast.AST, names: Collection[str]) -> bool:
+    return any(isinstance(part, ast.Name) and part.id in names for part in walk(node))
 
 
 class _Definitions(ast.NodeTransformer):
@@ -110,10 +116,11 @@ class _Calls(ast.NodeTransformer):
     ) -> None:
         self.piece, self.pieces, self.drops, self.everywhere = piece, pieces, drops, everywhere
         self.folded, self.different = folded, different
-        self.bound = bound_names(piece.node)  # what a local name hides
+        parts = list(walk(piece.node))
+        self.bound = bound_names(piece.node, parts)  # what a local name hides
         self.inner = {
             node.name: tuple(a.arg for a in node.args.args)
-            for node in ast.walk(piece.node)
+            for node in parts
             if isinstance(node, ast.FunctionDef) and node is not piece.node
         }
 

@@ -15,6 +15,7 @@ from typing import Any
 import sympy
 from sympy import Integer, S
 
+from derive.emit.trees import walk
 from derive.emit.values import Exact, decide, exact, truth, value_of
 
 _OPERATIONS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
@@ -160,7 +161,7 @@ class _Folder(ast.NodeTransformer):
         if isinstance(node.test, Exact):
             return body if truth(node.test) else orelse
         same = isinstance(body, Exact) and isinstance(orelse, Exact) and body.value == orelse.value
-        return body if same and not any(isinstance(n, ast.NamedExpr) for n in ast.walk(node.test)) else node
+        return body if same and not any(isinstance(n, ast.NamedExpr) for n in walk(node.test)) else node
 
 
 def fold(node: Any, values: Mapping[str, Any], fields: Mapping[str, Any], modules: Collection[str]) -> Any:
@@ -175,7 +176,7 @@ def fold_inside(node: Any, values: Mapping[str, Any], calls: Mapping[str, Any], 
 
 def _looks(node: ast.expr) -> bool:
     """Whether an expression is a comparison that calls nothing, so that it is True or False and can be left out."""
-    return isinstance(node, ast.Compare) and not any(isinstance(n, (ast.Call, ast.NamedExpr)) for n in ast.walk(node))
+    return isinstance(node, ast.Compare) and not any(isinstance(n, (ast.Call, ast.NamedExpr)) for n in walk(node))
 
 
 def _identity(node: ast.BinOp, a: Any, b: Any) -> ast.expr:

@@ -11,6 +11,7 @@ from derive.emit.drop import drop_parameters
 from derive.emit.errors import EmitError
 from derive.emit.pieces import Piece
 from derive.emit.slice import Slicer
+from derive.emit.trees import walk
 from derive.emit.values import value_of
 
 
@@ -62,7 +63,7 @@ def _fixed_arguments(slicer: Slicer) -> dict[str, dict[str, Expr]]:
         if piece.formula
     }
     for piece in slicer.pieces.values():
-        for call in (n for n in ast.walk(piece.node) if isinstance(n, ast.Call)):
+        for call in (n for n in walk(piece.node) if isinstance(n, ast.Call)):
             name = call.func.id if isinstance(call.func, ast.Name) else ""
             if name in fixed:
                 given = dict(zip(slicer.pieces[name].parameters, call.args, strict=False))

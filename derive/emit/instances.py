@@ -9,7 +9,6 @@ it runs, as it must: such a kernel says ``where``.
 from __future__ import annotations
 
 import ast
-import copy
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
@@ -19,6 +18,7 @@ from derive.emit.head import from_import
 from derive.emit.kernel_files import Definition, KernelFile, parse_kernel
 from derive.emit.layout import lines_of, stamp
 from derive.emit.pieces import bound_names
+from derive.emit.trees import copied, walk
 
 _ARRAYS = "array_arithmetic"
 _BUILTINS = ("abs", "max", "min")  # builtins that arithmetic uses as they are
@@ -82,12 +82,12 @@ class _Maker:
 
     def lines(self, definition: Definition) -> list[str]:
         """One definition, renamed, with the names that it uses imported."""
-        node = copy.deepcopy(definition.node)
+        node = copied(definition.node)
         stamp(node)
-        names = {n.id for n in ast.walk(node) if isinstance(n, ast.Name)} - bound_names(node)
+        names = {n.id for n in walk(node) if isinstance(n, ast.Name)} - bound_names(node)
         used = {name: self.target(name, node) for name in sorted(names)}
         renamed = {name: target for name, target in used.items() if target}
-        for inner in ast.walk(node):
+        for inner in walk(node):
             if isinstance(inner, ast.Name) and inner.id in renamed:
                 inner.id = renamed[inner.id]
         if isinstance(node, ast.FunctionDef):

@@ -13,6 +13,7 @@ from inspect import cleandoc
 from typing import Any
 
 from derive.emit.style import expression, wrap
+from derive.emit.trees import walk
 
 _BODIES = ("body", "orelse", "finalbody", "handlers")
 _INDENT = "    "
@@ -21,7 +22,7 @@ _MARK = "mark"
 
 def stamp(tree: ast.AST) -> None:
     """Mark every statement with its present form, so that a later change can be seen."""
-    for node in ast.walk(tree):
+    for node in walk(tree):
         if isinstance(node, (ast.stmt, ast.excepthandler)):
             setattr(node, _MARK, form(node))
 
@@ -52,7 +53,7 @@ class _Layout:
         """A block; blank lines and comments above a statement stay with it."""
         for index, node in enumerate(statements):
             above = self.above(node)
-            after_class_docstring = index == 1 and isinstance(node, ast.AnnAssign) and _is_text(statements[0])
+            after_class_docstring = index == 1 and _begins_class(node) and _is_text(statements[0])
             if after_class_docstring or (above[:1] == [""] and (index or isinstance(node, ast.FunctionDef))):
                 yield ""
             yield from (indent + line for line in above if line)
@@ -149,7 +150,13 @@ def _header_nodes(node: Any) -> Iterator[Any]:
             continue
         for item in value if isinstance(value, list) else [value]:
             if isinstance(item, ast.AST):
-                yield from (n for n in ast.walk(item) if hasattr(n, "end_lineno"))
+                yield from (n for n in walk(item) if hasattr(n, "end_lineno"))
+
+
+def _begins_class(node: ast.stmt) -> bool:
+    """Whether a statement is one that stands first in a class: a field or its slots."""
+    slots = isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name) and node.targets[0].id == "__slots__"
+    return slots or isinstance(node, ast.AnnAssign)
 
 
 def _is_text(node: Any) -> bool:

@@ -18,10 +18,12 @@ from derive.emit.kernel_files import KernelFiles, read_kernels
 from derive.emit.layout import lines_of
 from derive.emit.lower import DIGITS, lower
 from derive.emit.pieces import Piece, imports, sections
+from derive.emit.records import RECORD, as_records
 from derive.emit.render import render
 from derive.emit.scene import GENERAL_CASE, Scene
 from derive.emit.slice import Slicer
 from derive.emit.specialise import specialise
+from derive.emit.written_out import write_out
 from derive.theory.claims import Formula
 
 
@@ -77,6 +79,9 @@ def emit_module(
     slicer, names = _specialised(
         lambda kept: Slicer(known, formulas, general, scene.folded, common=common, kept=kept), scene, backend
     )
+    as_records(names, slicer.pieces)
+    if not BACKENDS[backend].exact:
+        write_out(names, slicer.pieces)
     lower(names, slicer.pieces, backend, scene.functions)
     names = slicer.reach(scene.functions)
     used = tuple(piece.formula for name in names if (piece := slicer.pieces[name]).formula)
@@ -100,6 +105,8 @@ def _specialised(
         public = _begin(slicer, scene)
         if BACKENDS[backend].exact:
             slicer.piece(*DIGITS, f"scene '{scene.name}'")
+        if RECORD[0] in slicer.kernels.files:
+            slicer.piece(*RECORD, f"scene '{scene.name}'")
         try:
             return slicer, specialise(slicer, scene.functions)
         except DifferentValueError as error:

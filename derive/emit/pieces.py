@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from derive.emit.backends import FILE_SECTIONS, RESULTS, SECTIONS, External
+from derive.emit.trees import walk
 from derive.theory.claims import Formula
 
 
@@ -38,27 +39,31 @@ class Piece:
 
     def uses(self) -> list[str]:
         """The global names that it loads now, each once, in the order of the source."""
-        loads = [n for n in ast.walk(self.node) if isinstance(n, ast.Name) and n.id in self.names]
+        parts = list(walk(self.node))
+        loads = [n for n in parts if isinstance(n, ast.Name) and n.id in self.names]
         loads.sort(key=lambda n: (getattr(n, "lineno", 0), getattr(n, "col_offset", 0)))
-        shadowed = bound_names(self.node)
+        shadowed = bound_names(self.node, parts)
         return list(dict.fromkeys(n.id for n in loads if n.id not in shadowed))
 
 
-def bound_names(node: ast.AST) -> set[str]:
-    """Names that a function binds: parameters, assignments, loop variables, nested definitions. None for a constant."""
+def bound_names(node: ast.AST, parts: Iterable[ast.AST] | None = None) -> set[str]:
+    """Names that a function binds: parameters, assignments, loop variables, nested definitions. None for a constant.
+
+    parts: all nodes of it, where they are known.
+    """
     if not isinstance(node, (ast.FunctionDef, ast.ClassDef)):
         return set()
     found: set[str] = set()
-    for part in ast.walk(node):
-        match part:
-            case ast.Name(ctx=ast.Store()):
+    for part in walk(node) if parts is None else parts:
+        if isinstance(part, ast.Name):
+            if isinstance(part.ctx, ast.Store):
                 found.add(part.id)
-            case ast.arg():
-                found.add(part.arg)
-            case ast.ExceptHandler(name=str(name)):
-                found.add(name)
-            case ast.FunctionDef() if part is not node:
-                found.add(part.name)
+        elif isinstance(part, ast.arg):
+            found.add(part.arg)
+        elif (isinstance(part, ast.ExceptHandler) and part.name) or (
+            isinstance(part, ast.FunctionDef) and part is not node
+        ):
+            found.add(part.name)
     return found
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-import copy
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
@@ -16,6 +15,7 @@ from derive.emit.kernel_files import Definition, KernelFiles
 from derive.emit.layout import stamp
 from derive.emit.pieces import Piece, bound_names, parameters_of
 from derive.emit.printer import formula_function
+from derive.emit.trees import copied, walk
 from derive.theory.claims import Formula
 
 
@@ -83,7 +83,7 @@ class Slicer:
         name that a function takes from somewhere are kept too.
         """
         own = {name for owner, name in self.kept if owner == piece.name}
-        stored = {n.id for n in ast.walk(piece.node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
+        stored = {n.id for n in walk(piece.node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
         own |= self.kept_fields() & (stored - set(piece.parameters)) if piece.kind != "class" else set()
         return {name: value for name, value in self.folded.items() if name not in own}
 
@@ -110,13 +110,14 @@ class Slicer:
 
     def _make(self, found: Definition) -> str:
         kernel = self.kernels.files[found.file]
-        node = copy.deepcopy(found.node)
+        node = copied(found.node)
         stamp(node)
         piece = Piece(found.name, self.kernels.base(found.file), found.kind, node, kernel.lines)
         piece.parameters = parameters_of(node)
-        piece.read = frozenset(n.id for n in ast.walk(node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load))
+        loads = [n for n in walk(node) if isinstance(n, ast.Name)]
+        piece.read = frozenset(n.id for n in loads if isinstance(n.ctx, ast.Load))
         self.pieces[found.name] = piece
-        names = {n.id for n in ast.walk(node) if isinstance(n, ast.Name)}
+        names = {n.id for n in loads}
         origins = {name: origin for name in names if (origin := self.kernels.origin(found.file, name))}
         self._resolve(piece, origins)
         return found.name
@@ -125,7 +126,7 @@ class Slicer:
         """Give every global name of ``piece`` its final form, making the pieces that it names."""
         shadowed = bound_names(piece.node)
         final: dict[str, str | External] = {}
-        for node in ast.walk(piece.node):
+        for node in walk(piece.node):
             if isinstance(node, ast.Name) and node.id not in shadowed and node.id not in final:
                 origin = origins.get(node.id) or self.kernels.backend.builtins.get(node.id)
                 if origin:

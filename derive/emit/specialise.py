@@ -22,6 +22,7 @@ from derive.emit.rebound import rebound
 from derive.emit.slice import Slicer
 from derive.emit.spread import spread
 from derive.emit.tidy import constant_locals, prune, sweep
+from derive.emit.trees import walk
 from derive.emit.values import Exact
 
 _ROUNDS = 50  # far more than any kernel needs
@@ -84,7 +85,7 @@ class _Settler:
 
 
 def _names(node: ast.AST) -> set[str]:
-    return {inner.id for inner in ast.walk(node) if isinstance(inner, ast.Name)}
+    return {inner.id for inner in walk(node) if isinstance(inner, ast.Name)}
 
 
 def _constant(piece: Piece) -> Any:
@@ -149,7 +150,7 @@ def _pure(pieces: Mapping[str, Piece]) -> frozenset[str]:
 
 def _round(piece: Piece, constant: Mapping[str, Any], pieces: Mapping[str, Piece]) -> None:
     """One round on one kernel piece."""
-    for function in [n for n in ast.walk(piece.node) if isinstance(n, ast.FunctionDef)] or [piece.node]:
+    for function in [n for n in walk(piece.node) if isinstance(n, ast.FunctionDef)] or [piece.node]:
         known = constant_locals(function) if isinstance(function, ast.FunctionDef) else {}
         fold_inside(function, known, constant, set(MODULE_ALIASES.values()))
     piece.node = prune(piece.node)
@@ -160,7 +161,7 @@ def _sweep(piece: Piece, pieces: Mapping[str, Piece]) -> None:
     """Remove assignments that folding has left unread; what the author left unread stays."""
     if not isinstance(piece.node, ast.FunctionDef):
         return
-    names = [n for n in ast.walk(piece.node) if isinstance(n, ast.Name)]
+    names = [n for n in walk(piece.node) if isinstance(n, ast.Name)]
     loaded = {n.id for n in names if isinstance(n.ctx, ast.Load)}
     unread = ({n.id for n in names if isinstance(n.ctx, ast.Store)} - loaded) & piece.read
     if unread:
@@ -174,7 +175,7 @@ def _drop_unused(pieces: Mapping[str, Piece], roots: Sequence[str]) -> None:
     drops: dict[str, tuple[str, ...]] = {}
     for name, piece in pieces.items():
         if piece.kind == "function" and name not in roots and name not in passed_on:
-            loaded = {n.id for n in ast.walk(piece.node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load)}
+            loaded = {n.id for n in walk(piece.node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load)}
             gone = tuple(p for p in piece.parameters if p in piece.read and p not in loaded)
             if gone:
                 drops[name] = gone
@@ -186,8 +187,9 @@ def _passed_on(pieces: Mapping[str, Piece]) -> set[str]:
     """Functions that are used otherwise than by a call with plain arguments."""
     found: set[str] = set()
     for piece in pieces.values():
-        called = {id(n.func) for n in ast.walk(piece.node) if isinstance(n, ast.Call) and not _starred(n)}
-        loads = (n for n in ast.walk(piece.node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load))
+        parts = list(walk(piece.node))
+        called = {id(n.func) for n in parts if isinstance(n, ast.Call) and not _starred(n)}
+        loads = (n for n in parts if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load))
         found |= {n.id for n in loads if id(n) not in called}
     return found
 

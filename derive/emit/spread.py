@@ -16,6 +16,7 @@ from derive.emit.drop import drop_parameters
 from derive.emit.fold import fold_inside
 from derive.emit.pieces import Piece
 from derive.emit.slice import Slicer
+from derive.emit.trees import walk
 from derive.emit.values import Exact, exact
 
 _MODULES = frozenset(MODULE_ALIASES.values())
@@ -55,13 +56,13 @@ def _given(pieces: Mapping[str, Piece], reached: Collection[str], roots: Collect
             given = dict(zip(pieces[name].parameters, call.args, strict=False))
             calls.setdefault(name, []).append(given | {str(k.arg): k.value for k in call.keywords})
         if piece.kind != "class":
-            loads = (n for n in ast.walk(piece.node) if isinstance(n, ast.Name) and id(n) not in called)
+            loads = (n for n in walk(piece.node) if isinstance(n, ast.Name) and id(n) not in called)
             other |= {n.id for n in loads if n.id in pieces and pieces[n.id].kind != "class"}
     return {name: _common(given) for name, given in calls.items() if name not in other}
 
 
 def _calls(node: ast.AST, pieces: Mapping[str, Piece]) -> Iterator[ast.Call]:
-    for call in ast.walk(node):
+    for call in walk(node):
         if isinstance(call, ast.Call) and isinstance(call.func, ast.Name) and call.func.id in pieces:
             yield call
 
@@ -89,8 +90,8 @@ def _fix(slicer: Slicer, name: str, values: dict[str, Any]) -> None:
 
 def _is_read_only(node: ast.AST, name: str) -> bool:
     """Whether a function's parameter is neither assigned in it nor hidden by a parameter of an inner function."""
-    stores = any(isinstance(n, ast.Name) and n.id == name and not isinstance(n.ctx, ast.Load) for n in ast.walk(node))
-    return not stores and sum(isinstance(n, ast.arg) and n.arg == name for n in ast.walk(node)) == 1
+    stores = any(isinstance(n, ast.Name) and n.id == name and not isinstance(n.ctx, ast.Load) for n in walk(node))
+    return not stores and sum(isinstance(n, ast.arg) and n.arg == name for n in walk(node)) == 1
 
 
 def _fields(pieces: Mapping[str, Piece], reached: Collection[str]) -> Counter[str]:
@@ -99,7 +100,7 @@ def _fields(pieces: Mapping[str, Piece], reached: Collection[str]) -> Counter[st
     for name in reached:
         if pieces[name].kind == "class":
             found.update(pieces[name].parameters)
-        for call in (n for n in ast.walk(pieces[name].node) if isinstance(n, ast.Call)):
+        for call in (n for n in walk(pieces[name].node) if isinstance(n, ast.Call)):
             if not (isinstance(call.func, ast.Name) and call.func.id in pieces):
                 found.update(str(k.arg) for k in call.keywords)
     return found

@@ -31,6 +31,7 @@ def _restyle(text: str) -> str:
             edits.append((token.start[1], token.end[1], swapped))
     for start, end, new in sorted(edits, reverse=True):
         text = text[:start] + new + text[end:]
+    text = re.sub(r"(?<=[\w.]) \*\* \(-(\w+)\)", r"**-\1", text)
     return _bare_tuple(_bare_generators(text))
 
 
@@ -102,8 +103,12 @@ def _break_bracket(text: str, indent: str) -> list[str]:
     start, end = best
     inner = text[start + 1 : end]
     deeper = indent + "    "
+    element, *clauses = _split(inner, (" for ",))
     parts = _split(inner, (", ",))
-    if len(parts) > 1 and len(deeper + inner) > WIDTH:
+    if clauses:
+        loops = [part for clause in clauses for part in _split(clause, (" if ",))]
+        lines = [line for part in (element, *loops) for line in wrap(part, deeper)]
+    elif len(parts) > 1 and len(deeper + inner) > WIDTH:
         lines = [line for part in parts for line in _with_comma(wrap(part, deeper))]
     elif len(parts) > 1:
         lines = [deeper + inner]

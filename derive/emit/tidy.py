@@ -10,6 +10,7 @@ from typing import Any
 import sympy
 
 from derive.emit.backends import MODULE_ALIASES
+from derive.emit.trees import walk
 from derive.emit.values import Exact
 
 _MODULES = frozenset(MODULE_ALIASES.values())
@@ -54,7 +55,7 @@ class _Pruner(ast.NodeTransformer):
 def _settled(test: ast.expr) -> ast.expr:
     """The test, or its outcome where the last part of an and/or settles it and the parts before only look."""
     if isinstance(test, ast.BoolOp) and isinstance(test.values[-1], Exact):
-        looks = not any(isinstance(n, (ast.Call, ast.NamedExpr)) for value in test.values for n in ast.walk(value))
+        looks = not any(isinstance(n, (ast.Call, ast.NamedExpr)) for value in test.values for n in walk(value))
         return test.values[-1] if looks else test
     return test
 
@@ -83,7 +84,7 @@ def _block(body: list[ast.stmt]) -> list[ast.stmt]:
 
 def constant_locals(function: ast.AST) -> dict[str, Any]:
     """Locals that are assigned once in the whole function, to a folded value."""
-    nodes = list(ast.walk(function))
+    nodes = list(walk(function))
     stores = Counter(n.id for n in nodes if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store))
     taken = {n.arg for n in nodes if isinstance(n, ast.arg)}
     taken |= {name for n in nodes if isinstance(n, (ast.Global, ast.Nonlocal)) for name in n.names}
@@ -152,7 +153,7 @@ class _Sweeper(ast.NodeTransformer):
 
     def _free(self, value: ast.expr) -> bool:
         """Whether leaving ``value`` out changes nothing else: it calls pure functions only."""
-        calls = [n for n in ast.walk(value) if isinstance(n, (ast.Call, ast.NamedExpr, ast.Yield, ast.Await))]
+        calls = [n for n in walk(value) if isinstance(n, (ast.Call, ast.NamedExpr, ast.Yield, ast.Await))]
         return all(isinstance(n, ast.Call) and (_of_module(n.func) or self._is_pure(n.func)) for n in calls)
 
     def _is_pure(self, func: ast.expr) -> bool:

@@ -17,7 +17,8 @@ from derive.measure.folds import NoFoldError, fold
 from derive.measure.reference import Rod
 from derive.measure.rests import rests
 from derive.measure.segments import Load
-from derive.measure.suites import GENERIC, with_tip
+from derive.measure.suites import with_tip
+from derive.measure.worst_rods import GENERIC
 
 CLAMP = 3 * pi / 4
 SCALED = 6.0  # ℓ√(β + η) of the map over the two angles, where a rod has several equilibria

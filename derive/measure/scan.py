@@ -98,35 +98,29 @@ def shoot(rod: Rod, tips: Array) -> tuple[Array, Array]:
     ca, sa = np.cos(rod.field_angle), np.sin(rod.field_angle)
     angle, rate = tips - rod.field_angle, np.zeros_like(tips)
     h, h_rate = np.ones_like(tips), np.zeros_like(tips)
+    a, r, g, g_rate, p, q, stiffness = np.zeros((7, ORDER + 1, len(tips)))
     for _ in range(steps):
-        a, r, g, g_rate = [angle], [rate], [h], [h_rate]
-        p, q, stiffness = [np.cos(angle)], [np.sin(angle)], []
+        a[0], r[0], g[0], g_rate[0], p[0], q[0] = angle, rate, h, h_rate, np.cos(angle), np.sin(angle)
         for k in range(ORDER):
             n = k + 1
             couple = beta * (q[k] * ca + p[k] * sa) + eta * convolve(p, q, k)
-            stiffness.append(beta * (p[k] * ca - q[k] * sa) + eta * (2 * convolve(p, p, k) - (k == 0)))
-            a.append(r[k] / n)
-            g.append(g_rate[k] / n)
+            stiffness[k] = beta * (p[k] * ca - q[k] * sa) + eta * (2 * convolve(p, p, k) - (k == 0))
             turn_q, turn_p = convolve(p, r, k), convolve(q, r, k)
-            r.append(couple / n)
-            g_rate.append(convolve(stiffness, g, k) / n)
-            q.append(turn_q / n)
-            p.append(-turn_p / n)
+            a[n], g[n], r[n], q[n], p[n] = r[k] / n, g_rate[k] / n, couple / n, turn_q / n, -turn_p / n
+            g_rate[n] = convolve(stiffness, g, k) / n
         angle, rate, h, h_rate = (horner(series, step) for series in (a, r, g, g_rate))
     return angle + rod.field_angle, h
 
 
-def convolve(a: list[Array], b: list[Array], k: int) -> Array:
-    """Coefficient k of the product of two series."""
-    total: Array = a[0] * b[k]
-    for i in range(1, k + 1):
-        total = total + a[i] * b[k - i]
+def convolve(a: Array, b: Array, k: int) -> Array:
+    """Coefficient k of the product of two series, whose coefficients are rows."""
+    total: Array = np.einsum("in,in->n", a[: k + 1], b[k::-1])
     return total
 
 
-def horner(series: list[Array], step: float) -> Array:
+def horner(series: Array, step: float) -> Array:
     """The sum of a series at one step."""
     value = series[-1]
-    for coefficient in reversed(series[:-1]):
+    for coefficient in series[-2::-1]:
         value = value * step + coefficient
     return value

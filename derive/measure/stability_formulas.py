@@ -27,6 +27,7 @@ NUDGE = 30  # digits of the step of a difference
 UNIT = 2.0**-53
 LEAST = 2.0**-960  # below, a double has lost digits to underflow
 LABEL = "formulas.py"
+EXACT_FUNCTIONS = {sp.sin: mp.sin, sp.cos: mp.cos}
 
 Exact = Callable[[Sequence[Any]], Any]
 
@@ -79,7 +80,7 @@ def operations(function: Callable[..., float]) -> int:
 
 
 def compiled(expression: Any, letters: Sequence[Any]) -> Exact:
-    """An expression of sums, products and powers as a function of numbers of mpmath."""
+    """An expression of sums, products, powers, sines and cosines as a function of numbers of mpmath."""
     if expression in letters:
         place = list(letters).index(expression)
         return lambda values: values[place]
@@ -93,6 +94,9 @@ def compiled(expression: Any, letters: Sequence[Any]) -> Exact:
         return lambda values: mp.fprod(part(values) for part in parts)
     if expression.is_Pow and expression.exp.is_Rational:
         return lambda values: mp.power(parts[0](values), parts[1](values))
+    if expression.func in EXACT_FUNCTIONS:
+        function = EXACT_FUNCTIONS[expression.func]
+        return lambda values: function(parts[0](values))
     raise TypeError(f"no exact value is known of {expression.func.__name__} in a formula: {expression}")
 
 

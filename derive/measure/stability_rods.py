@@ -7,18 +7,19 @@ over rods: what the kernels pass is the domain, to rounding.
 from __future__ import annotations
 
 import random
+import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
-from importlib import import_module
 from math import copysign, pi
+from types import ModuleType
 
 from derive.emit.kernels import formulas as emitted
 from derive.emit.kernels.equilibria import all_equilibria
 from derive.emit.kernels.shapes import angle_and_position
 from derive.measure.reference import Rod
 
-LISTENED = tuple(f"derive.emit.kernels.{name}" for name in ("arcs", "potential", "shapes", "swing"))
+KERNELS = emitted.__name__.rpartition(".")[0] + "."
 MOST_INDEX = 2
 MOST_SHAPES = 3
 PLACES = (0.0, 0.03, 0.31, 0.5, 0.77, 0.999)
@@ -72,6 +73,11 @@ def beside(genes: Genes, rng: random.Random, size: float) -> Genes:
     return replace(genes, **moved)
 
 
+def kernels() -> list[ModuleType]:
+    """All kernels that are at work, but for the formulas themselves."""
+    return [module for name, module in sys.modules.items() if name.startswith(KERNELS) and module is not emitted]
+
+
 @contextmanager
 def listening(names: Sequence[str], heard: dict[str, list[Arguments]]) -> Iterator[None]:
     """While it lasts, what the kernels hand to these formulas is heard."""
@@ -87,7 +93,7 @@ def listening(names: Sequence[str], heard: dict[str, list[Arguments]]) -> Iterat
         return called
 
     try:
-        for module in map(import_module, LISTENED):
+        for module in kernels():
             for name in names:
                 if vars(module).get(name) is getattr(emitted, name):
                     put_back.append((module, name))

@@ -19,8 +19,8 @@ from derive.measure.rests import Rest, rests
 from derive.measure.rods import PAPER
 from derive.measure.segments import Load
 from derive.measure.taylor import integrate
+from derive.measure.worst_rods import ATLAS, GENERIC, SEARCHED
 
-GENERIC = 0.7  # an angle of the field that is near nothing
 TINY = (1e-300, 1e-200, 1e-100, 1e-30, 1e-17, 1e-12, 1e-8)
 APART = (0.0, 1e-15, 1e-12, 1e-8)
 # Relative distances to a fold.
@@ -132,26 +132,29 @@ def gammas(case: str) -> Iterator[Case]:
                 yield Case(name, "γ at an end of its range", with_tip(base, float(rest.angle) + apart))
 
 
-# β, η, length, clamp, field angle, and what the atlas saw there.
-ATLAS = (
-    (6.309573444801944, 1e4, 1.0, 3 * pi / 4, 0.0, "tips at the level of a ridge within rounding"),
-    (1.0, 1e4, 1.0, 3 * pi / 4, 0.0, "tips at the level of a ridge within rounding"),
-    (6.309573444801944, 1e4, 1.0, 3 * pi / 4, GENERIC, "tips at the level of a ridge within rounding"),
-    (1e4, 0.0039810717055349856, 1.0, 3 * pi / 4, 0.0, "a long rod, next to no field"),
-    (2.511886431509582e-06, 1e4, 1.0, 3 * pi / 4, 0.0, "a long rod, next to no force"),
-    (1e4, 1.5848931924611091e-09, 1.0, 3 * pi / 4, GENERIC, "a long rod, next to no field"),
-    (0.8, 0.2, 6.0, 3.1415926535897927, 0.0, "the clamp one rounding off the hill"),
-    (0.35, 0.5340101894795135, 7.0, 2.0, GENERIC, "1e-14 of η from a fold"),
-    (14.4, 21.6, 1.0, -1.3463968515384828, -0.2243994752564138, "the worst of all directions of clamp and field"),
-)
-
-
 def atlas(case: str) -> Iterator[Case]:
     """The worst points of the atlas of extremes; those of a symmetric field in the case parallel, too."""
     for *numbers, why in ATLAS if case in ("parallel", "oblique") else ():
         rod = Rod(*(float(number) for number in numbers))
         if case == "oblique" or not rod.field_angle:
             yield Case(f"atlas {rod}", why, rod)
+
+
+def searched(case: str) -> Iterator[Case]:
+    """The worst of random rods; those of a case of their own in that case, too."""
+    for *numbers, why in SEARCHED:
+        rod = Rod(*(float(number) for number in numbers))
+        if case in ("oblique", case_of(rod)):
+            yield Case(f"searched {rod}", why, rod)
+
+
+def case_of(rod: Rod) -> str:
+    """The most special load case that a rod belongs to."""
+    if not rod.eta:
+        return "force_only"
+    if not rod.field_angle:
+        return "parallel" if rod.beta else "field_only"
+    return "orthogonal" if rod.field_angle == pi / 2 else "oblique"
 
 
 SUITES: dict[str, Callable[[str], Iterator[Case]]] = {
@@ -163,6 +166,7 @@ SUITES: dict[str, Callable[[str], Iterator[Case]]] = {
     "discriminants": discriminants,
     "gammas": gammas,
     "atlas": atlas,
+    "searched": searched,
 }
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from sympy import Expr, I, Integer, Rational, Symbol, cos, oo, sin, symbols
+from sympy import Expr, I, Rational, Symbol, cos, oo, sin, symbols
 
 from .claims import Domain, Equal
 from .oblique_quartic import HalfAngle, m, n, p, q, theta_tip
@@ -28,7 +28,7 @@ PARTS = {"real": "real", "imag": "imaginary"}
 
 
 def write_arcs(points: Points, rod: HalfAngle, writer: Writer) -> Expr:
-    """W and the position; y is given back."""
+    """W, and what the position departs by from the straight line along the tip's direction; all of y is given back."""
     turned, where = COSINE.subs(x, b * cos(done / 2) / sin(done / 2)), Domain({b: (0, oo), done: (0, 6)})
     same, source = Equal(turned, cos(done)), "DLMF 4.21(iii)"
     writer.claim("cosine", "cos δ by x", same, where, steps=("point_pole",), source=source)
@@ -46,11 +46,10 @@ def write_arcs(points: Points, rod: HalfAngle, writer: Writer) -> Expr:
     real, imag = (2 * I * b / 3 * (rj_real + I * rj_imag)).as_real_imag()
     _write_third_kind(writer, "real", rj_imag, real, COSINE - 1)
     _write_third_kind(writer, "imag", rj_real, imag, SINE)
-    # ∫e^{iθ} = e^{iφ}(σ + W).
-    shifted = arc + w_real
-    y = _write_position(writer, "y", cos, cosine * shifted - sine * w_imag)
-    _write_position(writer, "z", sin, sine * shifted + cosine * w_imag)
-    return y.subs(AT_TIP)
+    # ∫e^{iθ} = e^{iφ}(σ + W); without σ it is what the rod departs by from the straight line along its tip.
+    y = _write_departure(writer, "y", cos, cosine * w_real - sine * w_imag)
+    _write_departure(writer, "z", sin, sine * w_real + cosine * w_imag)
+    return (cosine * arc + y).subs(AT_TIP)
 
 
 def _write_field(writer: Writer, part: str, function: Callable[..., Expr], value: Expr) -> None:
@@ -103,15 +102,15 @@ def _write_third_kind(writer: Writer, part: str, symbol: Symbol, value: Expr, in
     )
 
 
-def _write_position(writer: Writer, name: str, function: Callable[..., Expr], value: Expr) -> Expr:
-    """y or z: along the rod it is cos θ or sin θ, with 1 and e^{iδ} − 1 for what σ and W are the integrals of."""
-    here = {arc: Integer(1), w_real: cos(done) - 1, w_imag: sin(done)}
+def _write_departure(writer: Writer, name: str, function: Callable[..., Expr], value: Expr) -> Expr:
+    """Of y or z: along the rod it is cos θ − cos φ or sin θ − sin φ, with e^{iδ} − 1 for what W is the integral of."""
+    here = {w_real: cos(done) - 1, w_imag: sin(done)}
     return writer.add(
         f"arc_{name}",
-        (sine, cosine, arc, w_real, w_imag),
+        (sine, cosine, w_real, w_imag),
         value,
-        f"∫{name}′ dσ from the tip to the point, by sin φ and cos φ",
-        lambda found: Equal(found.subs(here).subs(AT_TIP), function(tip + done)),
+        f"∫{name}′ dσ from the tip to the point less what it is along the tip's direction, by sin φ and cos φ",
+        lambda found: Equal(found.subs(here).subs(AT_TIP), function(tip + done) - function(tip)),
         anywhere(tip, done),
         steps=("w_real", "w_imag", "cosine"),
         source={"y": "exsl36", "z": "exsl41"}[name],

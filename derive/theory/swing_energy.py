@@ -14,8 +14,7 @@ from .oblique_quartic import HalfAngle, m, n, p, q
 from .oblique_shape import b
 from .swing_along import COSINE, SINE
 from .swing_arcs import w_imag, w_real
-from .swing_levels import aligned
-from .swing_names import Writer, anywhere, cosine, field_angle, tip
+from .swing_names import Writer, anywhere, field_angle, tip
 from .swing_phase import PHASE, delta, first, rate, second, square
 from .swing_place import SPREAD, Place, pair_root
 from .swing_points import e_1 as root
@@ -23,13 +22,14 @@ from .swing_points import place as pole
 from .swing_points import x
 from .swing_square import BY_LETTERS, TWICE, in_rod
 from .symbols import beta, eta
-from .tip_names import arc, y_tip
+from .tip_names import arc
 
 near_root = Symbol("near_root", real=True)  # √X₁
 across = Symbol("across", real=True)  # sin ψ cos ψ
 gap = Symbol("gap", real=True)  # x² − x√X₂√X₃
 size = Symbol("size", real=True)  # |x|
 others_sum, others_product = Symbol("others_sum", real=True), Symbol("others_product", real=True)  # ê₂ + ê₃, ê₂ê₃
+y_apart = Symbol("y_apart", real=True)  # ∫(cos θ − cos φ)dσ
 kink = Symbol("kink", real=True)  # the part without integral
 growth = Symbol("growth", real=True)  # (b² − a²)∫sin²ψ dσ
 ROOTS = Domain({**PHASE.ranges, root: (-oo, oo), b: (0, oo)})
@@ -58,11 +58,11 @@ def write_energy(place: Place, y: Expr, rod: HalfAngle, writer: Writer) -> None:
     rest = kept(kink, growth, arc)
     writer.add(
         "arc_square",
-        (beta, eta, cosine, aligned, first, root, arc, y_tip, kink, growth),
-        (beta * cosine + eta * aligned**2) * arc - beta * y_tip + rest,
-        "η∫cos²(θ − α)dσ from the tip to the point, by cos φ and cos(φ − α)",
+        (beta, first, root, arc, y_apart, kink, growth),
+        -beta * y_apart + rest,
+        "η∫cos²(θ − α)dσ from the tip to the point less what it is along the tip's direction, by the same of y",
         lambda value: Equal(
-            in_rod(value.subs({cosine: cos(tip), aligned: cos(tip - field_angle), y_tip: y}), rod),
+            in_rod(value.subs(y_apart, y - cos(tip) * arc) + eta * cos(tip - field_angle) ** 2 * arc, rod),
             in_rod(BY_LETTERS + rest, rod),
         ),
         anywhere(tip),

@@ -195,9 +195,9 @@ def _write_gauss(writer: Writer) -> Phase:
         # (dψ/dS)²/(a² cos²ψ + b² sin²ψ) with S = sin²ψ.
         return 1 / (4 * at * (1 - at) * (one**2 * (1 - at) + other**2 * at))
 
-    def keeps(value: Expr) -> Equal:
-        at = value.subs(sums).subs(delta, root)
-        speed = diff(at, square) ** 2 * squared(at, (a + b) / 2, sqrt(a * b))
+    def keeps(value: Expr, one: Expr, other: Expr) -> Equal:
+        at = value.subs(sums).subs({delta: root, rest: 1 - square})
+        speed = diff(at, square) ** 2 * squared(at, one, other)
         return Equal(speed, squared(square, a, b))
 
     sums = {total: a + b, below: a + delta}
@@ -206,7 +206,7 @@ def _write_gauss(writer: Writer) -> Phase:
         (square, total, below),
         total**2 * square / below**2,
         "sin²ψ′ of Gauss's step, which keeps the integral: a′ = (a + b)/2, b′ = √(ab); total = a + b, below = a + Δ",
-        keeps,
+        lambda value: keeps(value, (a + b) / 2, sqrt(a * b)),
         PHASE,
         steps=("phase_rate",),
         source=source,
@@ -222,6 +222,26 @@ def _write_gauss(writer: Writer) -> Phase:
         steps=("gauss_square",),
         source=source,
     )
+    far_sine = writer.add(
+        "far_sine",
+        (first, rest, delta),
+        a * sqrt(rest) / delta,
+        "sin ψ of the same point by the length from the far turning point",
+        lambda value: keeps(value**2, a, b),
+        PHASE,
+        steps=("phase_rate",),
+        source="DLMF 22.4(iii)",
+    )
+    writer.add(
+        "far_cosine",
+        (second, square, delta),
+        b * sqrt(square) / delta,
+        "cos ψ of the same point by the length from the far turning point",
+        lambda value: Equal((value**2 + far_sine**2).subs({delta: root, rest: 1 - square}), 1),
+        PHASE,
+        steps=("far_sine",),
+        source="DLMF 22.4(iii)",
+    )
     return Phase(delta_there, new_square.subs(sums), new_rest.subs(sums))
 
 
@@ -232,20 +252,30 @@ def _write_second_kind(step: Phase, writer: Writer) -> None:
 
     def falls(value: Expr) -> Equal:
         # Along σ: dS/dσ = 2 sin ψ cos ψ Δ, and the length grows by 1.
-        here = value.subs({delta: root, rest: 1 - square})
+        here = value.subs({total: a + b, step_gap: a - b, below: a + root}).subs(rest, 1 - square)
         slope = diff(here, square) * 2 * sqrt(square * (1 - square)) * root + diff(here, arc)
         after = (geometric**2 - mean**2) * step.square.subs(delta, root)
         return Equal((b**2 - a**2) * square, 2 * after - slope)
 
     lost = writer.add(
         "second_kind_step",
-        (first, second, square, rest, delta, arc),
-        (a - b) * (a + b) * (arc / 2 - sqrt(square * rest) / (a + delta)),
-        "2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step",
+        (total, step_gap, below, square, rest, arc),
+        total * step_gap * (arc / 2 - sqrt(square * rest) / below),
+        "2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step; below = a + Δ",
         falls,
         PHASE,
         steps=("gauss_square", "gauss_rest"),
         source="DLMF 19.8.19",
+    )
+    writer.add(
+        "gauss_gap",
+        (step_gap, total),
+        step_gap**2 / (4 * total),
+        "a′ − b′ after Gauss's step, by gap = a − b and total = a′ + b′",
+        lambda value: Equal(value.subs({step_gap: a - b, total: mean + geometric}), mean - geometric),
+        PHASE,
+        steps=("gauss_square",),
+        source="DLMF 19.8(i)",
     )
     start = Equal(lost.subs({square: 0, arc: 0}), 0)
     writer.claim("second_kind_tip", "the term is zero at the tip", start, PHASE, steps=("second_kind_step",))
@@ -272,6 +302,14 @@ def _write_back(step: Phase, writer: Writer) -> None:
             "cos²ψ by cos²ψ′, with gap = a − b",
             1 - square,
             ("back_below_rest",),
+        ),
+        (
+            "back_move",
+            (a, step_gap, square, rest, below),
+            square * rest * step_gap * (2 * a + below) / below**2,
+            "by how much sin²ψ is more than sin²ψ′, with gap = a − b",
+            square - step.square,
+            ("back_square",),
         ),
     ):
         writer.add(

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from derive.emit.kernels.arguments import (
     Given,
@@ -26,8 +25,7 @@ from derive.emit.kernels.literal import angle_and_position_literally
 from derive.emit.kernels.spans import span
 
 
-@dataclass(frozen=True, slots=True)
-class Shape:
+class Shape(NamedTuple):
     """A rod at the arc lengths asked for: theta (from y to the tangent), curvature θ′, and the position y, z."""
 
     theta: Any
@@ -36,8 +34,7 @@ class Shape:
     z: Any
 
 
-@dataclass(frozen=True, slots=True)
-class Sweep:
+class Sweep(NamedTuple):
     """The equilibria of many rods, flat: case[k] is the index of the rod (in the order of the broadcast arrays)."""
 
     case: Any

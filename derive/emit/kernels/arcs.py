@@ -22,8 +22,10 @@ from derive.emit.kernels.formulas import (
     arc_square,
     arc_y,
     arc_z,
+    far_cosine,
     far_pair_root,
     far_root,
+    far_sine,
     others_product,
     others_sum,
     pair_lift,
@@ -58,8 +60,20 @@ class Point(NamedTuple):
     root_sum: float
 
 
+class Heading(NamedTuple):
+    """The tip's direction: cos and sin of φ, and of 2(φ − α)."""
+
+    cosine: float
+    sine: float
+    double_cosine: float
+    double_sine: float
+
+
 class Arc(NamedTuple):
-    """A stretch of rod from the tip: ∫cos θ, ∫sin θ and η∫cos²(θ − α)."""
+    """A stretch of rod from the tip, less what it would be if it were straight along the tip's direction.
+
+    ∫cos θ, ∫sin θ and η∫cos²(θ − α), with cos θ − cos φ for cos θ and likewise.
+    """
 
     y: float
     z: float
@@ -84,24 +98,63 @@ def far_point(motion):
     return Point(b, pole, 0, far_pair_root(motion.end), motion.middle)
 
 
-def arc_to(beta, eta, field_angle, motion, point, square, rest, extent):
-    """The arc from the tip to a point, at ψ, of the given length."""
-    sine, cosine, lean = sin(motion.tip), cos(motion.tip), motion.tip - field_angle
-    double_sine, double_cosine = sin(2 * lean), cos(2 * lean)
-    root = far_root(motion.near, cos(motion.half_width))
-    w_re, w_im = shift(eta, double_sine, double_cosine, motion, point, root, square, rest)
-    y, z = arc_y(sine, cosine, extent, w_re, w_im), arc_z(sine, cosine, extent, w_re, w_im)
+def sent_back(motion):
+    """The motion from its far turning point back to the tip, as the mirror at the y axis shows it.
+
+    A clamp at the turning point itself, where the motion has no point by ℘, is a little before it.
+    """
+    return motion._replace(
+        tip=-(motion.tip + 2 * motion.half_width),
+        done=motion.left,
+        left=motion.done,
+        near_moment=motion.far_moment,
+        far_moment=motion.near_moment,
+        near=motion.far,
+        far=motion.near,
+        uneven=-motion.uneven,
+        done_sine=larger(motion.left_sine, epsilon() ** 6),
+        left_sine=motion.done_sine,
+    )
+
+
+def phase_from_far(motion, square, rest):
+    """sin²ψ and cos²ψ of a point as the motion turned back has them."""
     first, second = motion.end / 2, motion.middle / 2
-    q, m = rest_stiffness(beta, eta, cosine, double_cosine), tip_cubic(beta, eta, sine, double_sine)
+    # The square of b may underflow.
+    delta = larger(phase_rate(first, second, square, rest), second * sqrt(square))
+    sine, cosine = far_sine(first, rest, delta), far_cosine(second, square, delta)
+    return larger(sine * sine, epsilon() ** 12), cosine * cosine
+
+
+def arc_from_far(eta, heading, there, arc, extent):
+    """The arc of a motion turned back, whose heading is ``there``, as what departs from the tip's direction."""
+    y, z = arc.y + extent * (there.cosine - heading.cosine), arc.z + extent * (there.sine + heading.sine)
+    return Arc(y, -z, arc.square + extent * eta * (there.double_cosine - heading.double_cosine) / 2)
+
+
+def heading_of(field_angle, motion):
+    """The direction of a motion's tip."""
+    double = 2 * (motion.tip - field_angle)
+    return Heading(cos(motion.tip), sin(motion.tip), cos(double), sin(double))
+
+
+def arc_to(beta, eta, heading, motion, point, square, rest, extent):
+    """The arc from the tip to a point, at ψ, of the given length."""
+    root = far_root(motion.near, cos(motion.half_width))
+    w_re, w_im = shift(eta, heading, motion, point, root, square, rest)
+    y, z = arc_y(heading.sine, heading.cosine, w_re, w_im), arc_z(heading.sine, heading.cosine, w_re, w_im)
+    first, second = motion.end / 2, motion.middle / 2
+    q = rest_stiffness(beta, eta, heading.cosine, heading.double_cosine)
+    m = tip_cubic(beta, eta, heading.sine, heading.double_sine)
     kink = kink_at(first, second, point, root, q, m, square, rest)
     growth = second_kind(first, second, square, rest, extent)
-    return Arc(y, z, arc_square(beta, eta, cosine, cos(lean), first, root, extent, y, kink, growth))
+    return Arc(y, z, arc_square(beta, first, root, extent, y, kink, growth))
 
 
-def shift(eta, double_sine, double_cosine, motion, point, root, square, rest):
+def shift(eta, heading, motion, point, root, square, rest):
     """W as real and imaginary part: ∫e^{iθ} from the tip is e^{iφ}(σ + W)."""
     b, near, far = point.strength, sqrt(motion.near), sqrt(motion.far)
-    twist = complex_of(rj_delta_real(eta, b, double_cosine), rj_delta_imag(eta, b, double_sine))
+    twist = complex_of(rj_delta_real(eta, b, heading.double_cosine), rj_delta_imag(eta, b, heading.double_sine))
     lift = pair_lift(near, far, motion.uneven, motion.half_cosine, square, rest)
     pole, lifted, less = complex_of(point.pole, -b), complex_of(lift, -b), complex_of(root, -b)
     third = rj_pair(point.one, point.product, point.root_sum, pole, lifted, less, twist)
@@ -116,7 +169,7 @@ def kink_at(first, second, point, root, q, m, square, rest):
     others = others_sum(q, root)
     gap = pole_gap(x, abs(x), others, others_product(b, m, root, others), product)
     far = arc_kink(square, delta, across, b, x, near_root, product)
-    return pick(x > 1, arc_kink_tip(first, second, delta, across, b, x, near_root, gap), far)
+    return pick(x > 0.25, arc_kink_tip(first, second, delta, across, b, x, near_root, gap), far)
 
 
 def rj_pair(x, product, root_sum, p, lift, less, twist):

@@ -2,19 +2,19 @@
 
 Emitted by `derive emit` from kernels/arcs.py: do not edit, change that file.
 
-Digest of the inputs: sha256 d181d4e44678f97630b7f32551acb1de25716dd0768fc7c8539074b27d439db4
+Digest of the inputs: sha256 f0bbb8f0347c34e5538f5534a6d09d724fda7d8e953602954b81dbe157cea33e
 """
 
 from __future__ import annotations
 
-from derive.emit.kernels.arcs import Arc, Point
+from derive.emit.kernels.arcs import Arc, Heading, Point
 from derive.emit.kernels.arithmetic import epsilon
 from derive.emit.kernels.array_arithmetic import (
     any_of,
-    complex_sqrt,
     each_abs,
     each_arctan_share,
     each_complex_of,
+    each_complex_sqrt,
     each_cos,
     each_pick,
     each_sin,
@@ -27,8 +27,10 @@ from derive.emit.kernels.formulas_each import (
     arc_square_each,
     arc_y_each,
     arc_z_each,
+    far_cosine_each,
     far_pair_root_each,
     far_root_each,
+    far_sine_each,
     others_product_each,
     others_sum_each,
     pair_lift_each,
@@ -67,24 +69,65 @@ def far_point_each(motion):
     return Point(b, pole, 0, far_pair_root_each(motion.end), motion.middle)
 
 
-def arc_to_each(beta, eta, field_angle, motion, point, square, rest, extent):
-    """The arc from the tip to a point, at ψ, of the given length."""
-    sine, cosine, lean = each_sin(motion.tip), each_cos(motion.tip), motion.tip - field_angle
-    double_sine, double_cosine = each_sin(2 * lean), each_cos(2 * lean)
-    root = far_root_each(motion.near, each_cos(motion.half_width))
-    w_re, w_im = shift_each(eta, double_sine, double_cosine, motion, point, root, square, rest)
-    y, z = arc_y_each(sine, cosine, extent, w_re, w_im), arc_z_each(sine, cosine, extent, w_re, w_im)
+def sent_back_each(motion):
+    """The motion from its far turning point back to the tip, as the mirror at the y axis shows it.
+
+    A clamp at the turning point itself, where the motion has no point by ℘, is a little before it.
+    """
+    return motion._replace(
+        tip=-(motion.tip + 2 * motion.half_width),
+        done=motion.left,
+        left=motion.done,
+        near_moment=motion.far_moment,
+        far_moment=motion.near_moment,
+        near=motion.far,
+        far=motion.near,
+        uneven=-motion.uneven,
+        done_sine=larger(motion.left_sine, epsilon() ** 6),
+        left_sine=motion.done_sine,
+    )
+
+
+def phase_from_far_each(motion, square, rest):
+    """sin²ψ and cos²ψ of a point as the motion turned back has them."""
     first, second = motion.end / 2, motion.middle / 2
-    q, m = rest_stiffness_each(beta, eta, cosine, double_cosine), tip_cubic_each(beta, eta, sine, double_sine)
+    # The square of b may underflow.
+    delta = larger(phase_rate_each(first, second, square, rest), second * each_sqrt(square))
+    sine, cosine = far_sine_each(first, rest, delta), far_cosine_each(second, square, delta)
+    return larger(sine * sine, epsilon() ** 12), cosine * cosine
+
+
+def arc_from_far_each(eta, heading, there, arc, extent):
+    """The arc of a motion turned back, whose heading is ``there``, as what departs from the tip's direction."""
+    y, z = arc.y + extent * (there.cosine - heading.cosine), arc.z + extent * (there.sine + heading.sine)
+    return Arc(y, -z, arc.square + extent * eta * (there.double_cosine - heading.double_cosine) / 2)
+
+
+def heading_of_each(field_angle, motion):
+    """The direction of a motion's tip."""
+    double = 2 * (motion.tip - field_angle)
+    return Heading(each_cos(motion.tip), each_sin(motion.tip), each_cos(double), each_sin(double))
+
+
+def arc_to_each(beta, eta, heading, motion, point, square, rest, extent):
+    """The arc from the tip to a point, at ψ, of the given length."""
+    root = far_root_each(motion.near, each_cos(motion.half_width))
+    w_re, w_im = shift_each(eta, heading, motion, point, root, square, rest)
+    y, z = arc_y_each(heading.sine, heading.cosine, w_re, w_im), arc_z_each(heading.sine, heading.cosine, w_re, w_im)
+    first, second = motion.end / 2, motion.middle / 2
+    q = rest_stiffness_each(beta, eta, heading.cosine, heading.double_cosine)
+    m = tip_cubic_each(beta, eta, heading.sine, heading.double_sine)
     kink = kink_at_each(first, second, point, root, q, m, square, rest)
     growth = second_kind_each(first, second, square, rest, extent)
-    return Arc(y, z, arc_square_each(beta, eta, cosine, each_cos(lean), first, root, extent, y, kink, growth))
+    return Arc(y, z, arc_square_each(beta, first, root, extent, y, kink, growth))
 
 
-def shift_each(eta, double_sine, double_cosine, motion, point, root, square, rest):
+def shift_each(eta, heading, motion, point, root, square, rest):
     """W as real and imaginary part: ∫e^{iθ} from the tip is e^{iφ}(σ + W)."""
     b, near, far = point.strength, each_sqrt(motion.near), each_sqrt(motion.far)
-    twist = each_complex_of(rj_delta_real_each(eta, b, double_cosine), rj_delta_imag_each(eta, b, double_sine))
+    twist = each_complex_of(
+        rj_delta_real_each(eta, b, heading.double_cosine), rj_delta_imag_each(eta, b, heading.double_sine)
+    )
     lift = pair_lift_each(near, far, motion.uneven, motion.half_cosine, square, rest)
     pole, lifted, less = each_complex_of(point.pole, -b), each_complex_of(lift, -b), each_complex_of(root, -b)
     third = rj_pair_each(point.one, point.product, point.root_sum, pole, lifted, less, twist)
@@ -99,7 +142,7 @@ def kink_at_each(first, second, point, root, q, m, square, rest):
     others = others_sum_each(q, root)
     gap = pole_gap_each(x, each_abs(x), others, others_product_each(b, m, root, others), product)
     far = arc_kink_each(square, delta, across, b, x, near_root, product)
-    return each_pick(x > 1, arc_kink_tip_each(first, second, delta, across, b, x, near_root, gap), far)
+    return each_pick(x > 0.25, arc_kink_tip_each(first, second, delta, across, b, x, near_root, gap), far)
 
 
 def rj_pair_each(x, product, root_sum, p, lift, less, twist):
@@ -116,7 +159,7 @@ def rj_pair_each(x, product, root_sum, p, lift, less, twist):
     target = (epsilon() / 4) ** 0.125
     scale, total = 1, 0
     while any_of(reach > target * scale * each_abs(mean)):
-        root, root_p = each_sqrt(x), complex_sqrt(p)
+        root, root_p = each_sqrt(x), each_complex_sqrt(p)
         side, across = root_p * root_sum, root * root_sum
         plus, minus = lift + side, lift - side
         cancels = (each_abs(plus) < each_abs(minus)) & (scale == 1)
@@ -139,4 +182,4 @@ def rj_pair_each(x, product, root_sum, p, lift, less, twist):
     low = -3 * e2 / 14 + e3 / 6 + 9 * e2 * e2 / 88 - 3 * e4 / 22 - 9 * e2 * e3 / 52 + 3 * e5 / 26
     high = -e2 * e2 * e2 / 16 + 3 * e3 * e3 / 40 + 3 * e2 * e4 / 20 + 45 * e2 * e2 * e3 / 272
     high = high - 9 * (e3 * e4 + e2 * e5) / 68
-    return (1 + low + high) / (scale * mean * complex_sqrt(mean)) + 6 * total
+    return (1 + low + high) / (scale * mean * each_complex_sqrt(mean)) + 6 * total

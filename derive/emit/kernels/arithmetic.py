@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from cmath import atanh as complex_atanh
 from cmath import log as complex_log
 from cmath import sqrt as complex_sqrt
 from math import acos, asin, atan, atan2, ceil, cos, exp, floor, frexp, hypot, inf, isfinite, ldexp, log, pi, sin, sqrt
@@ -31,6 +32,7 @@ __all__ = [
     "log",
     "pi",
     "pick",
+    "plus_quarters",
     "real",
     "sin",
     "spacing",
@@ -69,6 +71,11 @@ def less_quarters(angle, quarters):
     return (angle - quarters * 1.5707963267341256) - quarters * 6.077100506506192e-11
 
 
+def plus_quarters(angle, quarters):
+    """angle + quarters·π/2, rounded once where the sum is large."""
+    return (angle + quarters * 6.077100506506192e-11) + quarters * 1.5707963267341256
+
+
 def pick(condition, yes, no):
     """``yes`` where the condition holds, else ``no``."""
     return yes if condition else no
@@ -95,8 +102,14 @@ def complex_of(real, imaginary):
 
 
 def arctan_share(z, end):
-    """R_C(1, end) for complex end = 1 + z: arctan(√z)/√z, by its series where z is small (DLMF 19.2.18)."""
-    if abs(z) < 1e-3:
+    """R_C(1, end) for complex end = 1 + z: arctan(√z)/√z (DLMF 19.2.18), by its series where z is small.
+
+    The logarithm is of a number near 1 unless z is large, and then its last digits are few.
+    """
+    size = abs(z)
+    if size < 1e-3:
         return 1 - z * (1 / 3 - z * (1 / 5 - z * (1 / 7 - z * (1 / 9 - z / 11))))
     root = complex_sqrt(-z)
+    if size < 0.5:
+        return complex_atanh(root) / root
     return complex_log((1 + root) * (1 + root) / end) / (2 * root)

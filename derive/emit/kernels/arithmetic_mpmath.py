@@ -33,6 +33,7 @@ __all__ = [
     "log",
     "pi",
     "pick",
+    "plus_quarters",
     "real",
     "sin",
     "spacing",
@@ -77,6 +78,11 @@ def real(name, value):
 def less_quarters(angle, quarters):
     """angle − quarters·π/2."""
     return angle - quarters * (pi / 2)
+
+
+def plus_quarters(angle, quarters):
+    """angle + quarters·π/2."""
+    return angle + quarters * (pi / 2)
 
 
 def pick(condition, yes, no):

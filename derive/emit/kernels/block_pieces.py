@@ -41,7 +41,10 @@ SHARP = 0.01  # the same from which on the dips are too narrow for the samples h
 
 
 class Rods(NamedTuple):
-    """Rods in their own units of length: see ``equilibria.Rod``. case: their number in the block; slow: ℓ√(β + η)."""
+    """Rods in their own units of length: see ``equilibria.Rod``. case: their number in the block; slow: ℓ√(β + η).
+
+    shot: whether all their tips are known nearly, by ``block_shots``.
+    """
 
     case: Any
     side: Any
@@ -52,6 +55,7 @@ class Rods(NamedTuple):
     clamp_angle: Any
     field_angle: Any
     slow: Any
+    shot: Any
 
 
 class Group(NamedTuple):
@@ -90,20 +94,25 @@ def groups(rods):
             if which.size:
                 given, piece = rows(some, which), build(rows(ground, which))
                 group = Group(given, clamp.turns[which], full(which.shape, rank), piece, None)
-                parts, sharp = by_dips(rows(group, in_time(given, piece)))
+                parts, sharp = by_dips(group, given.shot | in_time(given, piece))
                 found += parts
                 doubtful.append(sharp)
     return found, straight, concatenate(doubtful)
 
 
-def by_dips(group):
-    """The ranges without and with a dip, and the cases left to the scalar solver, for their dip is too sharp."""
+def by_dips(group, wanted):
+    """The ranges that are wanted, without and with a dip, and the cases left to the scalar solver, for their dip is
+    too sharp."""
+    shot = group.rods.shot
+    if shot.all():
+        return [group], zeros(0, dtype=int)
     missing, dip = nearly_ridge(group.rods, group.piece)
-    plain, wide = missing > NEARLY, (missing <= NEARLY) & (missing >= SHARP)
+    missing = where(shot, inf, missing)
+    plain, wide = wanted & (missing > NEARLY), wanted & (missing <= NEARLY) & (missing >= SHARP)
     parts = [rows(group, plain)] if plain.any() else []
     if wide.any():
         parts.append(rows(group._replace(dip=dip), wide))
-    return parts, group.rods.case[~plain & ~wide]
+    return parts, group.rods.case[wanted & ~plain & ~wide]
 
 
 def nearly_ridge(rods, piece):

@@ -9,7 +9,8 @@ from derive.emit.kernels.pieces_each import slope_each
 
 ROUGH_DEPTH = 28.0  # places up to which squares of offsets are numbers in single precision
 LATEST = 12.0  # places beyond which a count is its limit, but for the doubts of a hundred thousandth of all ranges
-SURELY = 1e-6  # bounds count where they hold by this much more than they must
+SMALLEST = 1e-30  # instead of less, where it is divided by
+SURELY = 1e-5  # bounds count where they hold by this much more than they must
 HALVINGS = 4  # of the stretch at the low end in which no motion arrives in time
 AROUND = concatenate([-(0.5 ** arange(13)), [0], 0.5 ** arange(12, -1, -1)])  # places about a dip
 
@@ -23,11 +24,11 @@ def least_arrival_each(rods, piece, offset):
     steep, most = rods.beta + rods.eta, rods.beta + rods.eta / 2
     clamp = piece.low_offset + piece.width + piece.clamp_gap
     bend = minimum(clamp, most / steep)
-    ratio = maximum(bend / maximum(offset, epsilon() ** 20), 1)
+    ratio = maximum(bend / maximum(offset, SMALLEST), 1)
     arrival = arccosh(ratio) / sqrt(steep)
     speed = sqrt(steep * (ratio - 1) * (ratio + 1)) * offset
     rest = maximum(clamp - maximum(offset, bend), 0)
-    return arrival + 2 * rest / (speed + sqrt(speed * speed + 2 * most * rest) + epsilon() ** 20)
+    return arrival + 2 * rest / (speed + sqrt(speed * speed + 2 * most * rest) + SMALLEST)
 
 
 def in_time(rods, piece):
@@ -49,19 +50,19 @@ def ends(rods, piece):
     elif piece.high_kind == "turn":
         last = LATEST + 0 * rods.slow
     else:
-        moment = abs(slope_each(rods.eta, piece.clamp_rest, piece.clamp_offset)) + epsilon() ** 20
+        moment = abs(slope_each(rods.eta, piece.clamp_rest, piece.clamp_offset)) + SMALLEST
         deeper = 4 + log(2 * piece.width) - log(moment) - 2 * log(rods.length)
         last = where(piece.high_depth == 0, rounding, maximum(LATEST, deeper))
     return late, last
 
 
-def places_of(dip, here, first, last, step):
+def places_of(dip, first, last, step):
     """The places of samples, a column for each range: from the lowest up, and closer around dips."""
     below, above = spaced(-first.min(), step), spaced(last.max(), step)
     places = concatenate([first * below[:0:-1, None], last * above[:, None]])
     if dip is None:
         return places
-    return sort(concatenate([places, clip(dip[here] + AROUND[:, None], first, last)]), axis=0)
+    return sort(concatenate([places, clip(dip + AROUND[:, None], first, last)]), axis=0)
 
 
 def spaced(deepest, step):

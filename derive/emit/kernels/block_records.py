@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from numpy import broadcast_to, concatenate, ndarray
+from numpy import broadcast_to, concatenate, flatnonzero, ndarray
 
 
 def slab(grid, which, values):
@@ -15,36 +15,41 @@ def element(case, values):
     return float(values[case])
 
 
-def each_array(record, change):
-    """The record with ``change`` made to every array in it."""
-    if isinstance(record, ndarray):
-        return change(record)
-    if isinstance(record, tuple):
-        parts = [each_array(part, change) for part in record]
-        return type(record)(*parts) if hasattr(record, "_fields") else tuple(parts)
-    return record
+def each_array(record, change, done=None):
+    """The record with ``change`` made to every array in it, once to each: directions stand in it more than once."""
+    done = {} if done is None else done
+    parts = []
+    for part in record:
+        if isinstance(part, (ndarray, tuple)):
+            key = id(part)
+            if key not in done:
+                done[key] = change(part) if isinstance(part, ndarray) else each_array(part, change, done)
+            part = done[key]
+        parts.append(part)
+    return type(record)(*parts) if hasattr(record, "_fields") else tuple(parts)
 
 
 def rows(record, which):
-    """The record of some of the rods, by their numbers, a mask or a slice."""
-    return each_array(record, lambda array: array[which])
+    """The record of some of the rods, by their numbers, a mask or a slice: the record itself for a mask of all."""
+    if isinstance(which, slice):
+        return each_array(record, lambda array: array[which])
+    if which.dtype == bool:
+        size, which = which.size, flatnonzero(which)
+        if which.size == size:
+            return record
+    return each_array(record, lambda array: array.take(which))
 
 
 def rounded_to(record, kind):
-    """The record with its numbers in another precision, those that all rods share as well."""
-    if isinstance(record, ndarray):
-        return record.astype(kind)
-    if isinstance(record, float):
-        return kind(record)
-    if isinstance(record, tuple):
-        parts = [rounded_to(part, kind) for part in record]
-        return type(record)(*parts) if hasattr(record, "_fields") else tuple(parts)
-    return record
+    """The record with its arrays in another precision; numbers that all rods share take that of what they meet."""
+    return each_array(record, lambda array: array.astype(kind, copy=False))
 
 
 def joined(records):
     """Records of arrays, one after another; what all rods share is taken from the first."""
     first = records[0]
+    if len(records) == 1:
+        return first
     if isinstance(first, ndarray):
         return concatenate(records)
     if isinstance(first, tuple):

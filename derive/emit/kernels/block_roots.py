@@ -4,21 +4,23 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from numpy import abs, bincount, concatenate, flatnonzero, full, maximum, minimum, nan, where
+from numpy import abs, bincount, concatenate, flatnonzero, full, maximum, minimum, nan, where, zeros
 
 from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import each_atan2, each_sqrt
-from derive.emit.kernels.block_records import joined, rounded_to, rows
+from derive.emit.kernels.block_records import rounded_to, rows
 from derive.emit.kernels.motion_each import motion_at_each
 from derive.emit.kernels.swing_each import lengths_each, phase_of_each
 
 STEPS = 3  # rough steps, after which most places are right to single precision
+TOLD = 1e-10  # change of a place from which the change of a length tells the slope
+SECANTS = 2  # evaluations before any place is looked at for being right to rounding: next to none is
 SPREAD = 2.0**-9  # distance of two places from which they tell the slope of a branch in single precision
 
 
 class Brackets(NamedTuple):
     """Crossings to be found: the range, by its number in the group, the branch, places on either side, and there the
-    length of the branch less the rod's."""
+    length of the branch less the rod's. All are of one precision but the first three."""
 
     range: Any
     turns: Any
@@ -66,26 +68,26 @@ def surplus(swing, arrival, turns, sign, length):
     return 2 * turns * swing + sign * arrival - length
 
 
-def approached(group, brackets):
-    """Rough crossings by Chandrupatla's method (1997): places, and the slope of the branch there."""
-    kind = brackets.left.dtype
-    turns, sign = brackets.turns.astype(kind), brackets.sign.astype(kind)
-    a, b, value_a, value_b = brackets.left, brackets.right, brackets.value_left, brackets.value_right
+def approached(function, left, right, value_left, value_right, steps, spread):
+    """Approximate zeros by Chandrupatla's method (1997): places, and the slopes there.
+
+    spread: the distance of two places from which they tell a slope.
+    """
+    a, b, value_a, value_b = left, right, value_left, value_right
     slope = (value_a - value_b) / (a - b)
-    fraction = full(a.shape, 0.5, dtype=kind)
+    fraction = full(a.shape, 0.5, dtype=a.dtype)
     secant = value_a / (value_a - value_b)
     inside = (secant > 0.05) & (secant < 0.95)
     fraction[inside] = secant[inside]
-    for _ in range(STEPS):
+    for _ in range(steps):
         trial = a + fraction * (b - a)
-        swing, arrival = rough_times(group.rods, group.piece, trial)
-        value = surplus(swing, arrival, turns, sign, group.rods.length)
+        value = function(trial)
         same = (value > 0) == (value_a > 0)
         c, value_c = where(same, a, b), where(same, value_a, value_b)
         b, value_b = where(same, b, a), where(same, value_b, value_a)
         a, value_a = trial, value
         near, value_near = where(abs(a - b) < abs(a - c), b, c), where(abs(a - b) < abs(a - c), value_b, value_c)
-        slope = where(abs(near - a) > SPREAD, (value_near - value_a) / (near - a), slope)
+        slope = where(abs(near - a) > spread, (value_near - value_a) / (near - a), slope)
         fraction = inverse_quadratic(a, b, c, value_a, value_b, value_c)
     return a + fraction * (b - a), slope
 
@@ -98,52 +100,57 @@ def inverse_quadratic(a, b, c, value_a, value_b, value_c):
     return where((y * y < x) & ((1 - y) * (1 - y) < 1 - x) & (share > 0) & (share < 1), share, a.dtype.type(0.5))
 
 
-def polished(group, brackets, kind):
-    """The crossings to rounding, by secants from the rough ones, and the ranges in which one is not found so."""
-    place, slope = approached(rounded_to(rows(group, brackets.range), kind), brackets)
-    some = rows(group, brackets.range)
-    place, slope, length = place.astype(float), slope.astype(float), some.rods.length
+def roughly_at(group, brackets, kind):
+    """Rough crossings of a group with a row for each: places, and the slope of the branch there."""
+    turns, sign, some = brackets.turns.astype(kind), brackets.sign.astype(kind), rounded_to(group, kind)
+
+    def value(trial):
+        swing, arrival = rough_times(some.rods, some.piece, trial)
+        return surplus(swing, arrival, turns, sign, some.rods.length)
+
+    ends = brackets.left, brackets.right, brackets.value_left, brackets.value_right
+    place, slope = approached(value, *ends, STEPS, SPREAD)
+    return place.astype(float), slope.astype(float)
+
+
+def polished(some, brackets, place, slope, secants, ease):
+    """The crossings to rounding, by secants from rough ones, and the ranges in which one is not found so.
+
+    some: the group with a row for each; secants: as many before any is looked at for being right to rounding; ease: by
+    how much more is taken for rounding after each more.
+    """
     least, most = minimum(brackets.left, brackets.right) - 0.01, maximum(brackets.left, brackets.right) + 0.01
     rising = (brackets.value_right > brackets.value_left) == (brackets.right > brackets.left)
     todo = flatnonzero((brackets.value_left > 0) != (brackets.value_right > 0))
-    value, before = full(place.shape, nan), place.copy()
-    parts = []
-    for turn in range(8):
-        here, branch = rows((some, brackets), todo) if todo.size < place.size else (some, brackets)
-        motion = motion_at_each(here.rods.beta, here.rods.eta, here.rods.field_angle, here.piece, place[todo])
+    value, before, parts = full(place.shape, nan), place.copy(), []
+    for turn in range(secants + 6):
+        here, branch = (some, brackets) if todo.size == place.size else rows((some, brackets), todo)
+        at, extent = place[todo], here.rods.length
+        motion = motion_at_each(here.rods.beta, here.rods.eta, here.rods.field_angle, here.piece, at)
         phase = phase_of_each(motion)
         swing, arrival = lengths_each(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
-        now = surplus(swing, arrival, branch.turns, branch.sign, length[todo])
+        now = surplus(swing, arrival, branch.turns, branch.sign, extent)
         if turn:
-            change = place[todo] - before[todo]
-            slope[todo] = where(change == 0, slope[todo], (now - value[todo]) / where(change == 0, 1, change))
+            change = at - before[todo]
+            told = abs(change) > TOLD * (1 + abs(at))
+            slope[todo] = where(told, (now - value[todo]) / where(told, change, 1), slope[todo])
         step = now / slope[todo]
-        close = abs(step) <= 4 * epsilon() * (1 + abs(place[todo]))
-        close |= abs(now) <= 4 * epsilon() * length[todo]
-        done = todo[close]
-        state, branch = rows((motion, phase, swing, arrival), close), rows(branch, close)
-        parts.append(
-            Found(
-                branch.range,
-                place[done],
-                branch.turns,
-                branch.sign,
-                rising[done],
-                state[0],
-                state[1],
-                state[2],
-                state[3],
-            )
-        )
-        value[todo], before[todo] = now, place[todo]
-        place[todo] -= step
-        todo = todo[~close & (place[todo] >= least[todo]) & (place[todo] <= most[todo])]
+        if turn >= secants:
+            # What is left time and again is rounding of the times themselves.
+            blur = 4 * epsilon() * ease ** (turn - secants)
+            close = (abs(step) <= blur * (1 + abs(at))) | (abs(now) <= blur * extent)
+            state = Found(branch.range, at, branch.turns, branch.sign, rising[todo], motion, phase, swing, arrival)
+            parts.append(state if close.all() else rows(state, close))
+            todo, at, now, step = todo[~close], at[~close], now[~close], step[~close]
+        value[todo], before[todo] = now, at
+        place[todo] = at = at - step
+        todo = todo[(at >= least[todo]) & (at <= most[todo])]
         if not todo.size:
             break
-    return joined(parts), lost_ranges(brackets, parts)
+    return parts, lost_ranges(brackets, parts)
 
 
 def lost_ranges(brackets, parts):
     """The ranges of which not every crossing has been found."""
-    wanted = bincount(brackets.range)
-    return flatnonzero(wanted != bincount(concatenate([part.range for part in parts]), minlength=wanted.size))
+    wanted, found = bincount(brackets.range), zeros(0, dtype=int)
+    return flatnonzero(wanted != bincount(concatenate([found, *(part.range for part in parts)]), minlength=wanted.size))

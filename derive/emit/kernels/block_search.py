@@ -10,7 +10,6 @@ from __future__ import annotations
 from numpy import (
     abs,
     arange,
-    argsort,
     ceil,
     clip,
     concatenate,
@@ -32,60 +31,97 @@ from numpy import (
 )
 
 from derive.emit.kernels.arithmetic import pi
+from derive.emit.kernels.block_hits import aimed
 from derive.emit.kernels.block_places import ROUGH_DEPTH, ends, places_of
 from derive.emit.kernels.block_records import joined, rounded_to, rows
-from derive.emit.kernels.block_roots import Brackets, polished, rough_times, surplus
+from derive.emit.kernels.block_roots import SECANTS, Brackets, polished, rough_times, roughly_at, surplus
 
 ROUGH_SLOW = 12  # ℓ√(β + η) up to which single precision holds the places of all tips but the most extreme
 WIDE = 0.75  # first step between samples
 CLOSER = 0.25  # the same where those leave a doubt
+FINER = linspace(0, 1, 17)  # shares of the way from one sample to the next but one
+HITS = 1  # as ``SECANTS``, for tips that are known nearly to rounding
 RANGES = 1024  # ranges at once: arrays that stay in the cache
 
 
-def tips(group, most):
+def tips(group, shots, most):
     """The tips of a group, a list of Found, and the ranges left to the scalar solver."""
-    rough = group.rods.slow < ROUGH_SLOW
+    shot, rough = group.rods.shot, group.rods.slow < ROUGH_SLOW
     found, again = [], [zeros(0, dtype=int)]
-    for mask, kind in ((rough, float32), (~rough, float)):
+    which = flatnonzero(shot)
+    if which.size:
+        sure, left = hit(group, which, shots)
+        found += sure
+        again.append(left)
+    for mask, kind in ((rough & ~shot, float32), (~rough, float)):
         which = flatnonzero(mask)
         if which.size:
             sure, doubtful = searched(group, which, kind, WIDE, most)
-            found.append(sure)
+            found += sure
             again.append(doubtful)
     left = unique(concatenate(again))
     if left.size:
         sure, left = searched(group, left, float, CLOSER, most)
-        found.append(sure)
+        found += sure
     return found, left
+
+
+def hit(group, which, shots):
+    """The tips of ranges of rods that are shot."""
+    part = rows(group, which) if which.size < group.rods.case.size else group
+    brackets, place, slope = aimed(part, shots)
+    return settled(moved(part), which, brackets, place, slope, HITS, zeros(0, dtype=int))
 
 
 def searched(group, which, kind, step, most):
     """The tips of some ranges, and the ranges of which there may be more or fewer."""
-    part = rows(group, which)
+    part = moved(rows(group, which) if which.size < group.rods.case.size else group)
     brackets, doubts = bracketed(part, kind, step, most)
-    found, lost = polished(part, brackets, kind)
+    return settled(part, which, brackets, None, None, SECANTS, doubts)
+
+
+def settled(part, which, brackets, place, slope, secants, doubts):
+    """The tips of ranges by their brackets, a list, and the ranges with doubts. place, slope: where they are known."""
+    if not brackets.range.size:
+        return [], which[doubts]
+    some = rows(part, brackets.range)
+    ease = 2
+    if place is None:
+        place, slope = roughly_at(some, brackets, brackets.left.dtype)
+        ease = 1
+    found, lost = polished(some, brackets, place, slope, secants, ease)
     doubtful = concatenate([doubts, lost])
-    sure = rows(found, ~isin(found.range, doubtful))
-    return sure._replace(range=which[sure.range]), which[doubtful]
+    if not found:
+        return [], which[doubtful]
+    sure = joined(found)
+    if doubtful.size:
+        sure = rows(sure, ~isin(sure.range, doubtful))
+    return [sure._replace(range=which[sure.range])], which[doubtful]
+
+
+def moved(group):
+    """The group without what motions do not depend on."""
+    rods = group.rods._replace(case=0, side=0, scale=0, clamp_angle=0, shot=0)
+    return group._replace(rods=rods, turns=0, rank=0)
 
 
 def bracketed(group, kind, step, most):
     """Brackets of all crossings of a group, and the ranges that are doubtful."""
-    first, last = ends(group.rods, group.piece)
+    rounded = rounded_to(group, kind)
+    first, last = ends(rounded.rods, rounded.piece)
     deepest = ROUGH_DEPTH if kind is float32 else 600.0
     capped = first < -deepest, last > deepest
     first, last = maximum(first, -deepest), minimum(last, deepest)
-    order = argsort(last - first)
     parts, doubts = [], []
-    for start in range(0, order.size, RANGES):
-        here = order[start : start + RANGES]
-        some, deep = rounded_to(rows(group, here), kind), (capped[0][here], capped[1][here])
-        places = places_of(group.dip, here, first[here], last[here], step).astype(kind)
+    for start in range(0, first.size, RANGES):
+        here = slice(start, start + RANGES)
+        some, low, high, *deep = rows((rounded, first, last, *capped), here)
+        places = places_of(some.dip, low, high, step).astype(kind)
         swings, arrivals = rough_times(some.rods, some.piece, places)
         for sign in (1, -1) if some.rods.slow.max() >= pi else (1,):
             found, doubt = crossed(some, sign, places, swings, arrivals, deep, most)
-            parts.append(found._replace(range=here[found.range]))
-            doubts.append(here[doubt])
+            parts.append(found._replace(range=found.range + start))
+            doubts.append(doubt + start)
     return joined(parts), concatenate(doubts)
 
 
@@ -93,7 +129,7 @@ def crossed(group, sign, places, swings, arrivals, capped, most):
     """Brackets of the whole numbers that the count of one branch crosses, and the ranges that are doubtful."""
     length, end = group.rods.length, end_arrival(group.piece, swings[-1])
     counts = (length - sign * arrivals) / (2 * swings)
-    doubt = ~isfinite(counts).all(axis=0) | (capped[0] & (counts[0] >= 1))
+    doubt = ~isfinite(counts.sum(axis=0)) | (capped[0] & (counts[0] >= 1))
     beside, hard = extrema(group, sign, places, swings, arrivals, counts)
     if end is None:
         doubt |= capped[1] & (counts[-1] >= 1)
@@ -103,19 +139,19 @@ def crossed(group, sign, places, swings, arrivals, capped, most):
         doubt |= isfinite(beyond) & (ceil(maximum(beyond, 0)) != ceil(maximum(counts[-1], 0)))
         turn = isfinite(beyond) & ((counts[-1] > counts[-2]) != (beyond > counts[-1]))
         doubt |= turn & (abs(counts[-1] - floor(counts[-1] + 0.5)) < 2 * abs(beyond - counts[-2]))
-    low, high = minimum(counts[1:], counts[:-1]), maximum(counts[1:], counts[:-1])
-    low, high = maximum(ceil(low), 0), maximum(ceil(high), 0)
-    row, which = nonzero(high > low)
-    number = (high[row, which] - low[row, which]).astype(int)
-    lowest = repeat(low[row, which], number)
-    turns = lowest + arange(number.sum()) - repeat(number.cumsum() - number, number)
-    row, which = repeat(row, number), repeat(which, number)
+    levels = maximum(ceil(counts), 0)
+    row, which = nonzero(abs(levels[1:] - levels[:-1]) > 0)
+    one, other = levels[row, which], levels[row + 1, which]
+    number = abs(other - one).astype(int)
+    lowest, row, which = repeat(minimum(one, other), number), repeat(row, number), repeat(which, number)
+    turns = lowest + arange(number.sum(), dtype=lowest.dtype) - repeat(number.cumsum() - number, number)
+    turns = turns.astype(lowest.dtype)
     ahead = [surplus(swings[k, which], arrivals[k, which], turns, sign, length[which]) for k in (row, row + 1)]
     near, far = places[row, which], places[row + 1, which]
     found = joined([Brackets(which, turns, full(which.shape, sign), near, far, ahead[0], ahead[1]), beside])
     wanted = (found.turns > 0) | (sign > 0)
     wanted &= 2 * found.turns - (sign < 0) <= most
-    return rows(found, wanted), concatenate([flatnonzero(doubt), hard])
+    return found if wanted.all() else rows(found, wanted), concatenate([flatnonzero(doubt), hard])
 
 
 def end_arrival(piece, swing):
@@ -127,23 +163,24 @@ def end_arrival(piece, swing):
 
 def extrema(group, sign, places, swings, arrivals, counts):
     """Brackets beside the extrema that reach beyond a whole number, and the ranges where that is not sure."""
-    before, here, after = counts[:-2], counts[1:-1], counts[2:]
+    grows = counts[1:] > counts[:-1]
+    row, which = nonzero(grows[1:] != grows[:-1])
+    before, here, after = (counts[row + k, which] for k in range(3))
+    left, middle, right = (places[row + k, which] for k in range(3))
     top = here > before
-    gaps = maximum(places[1:] - places[:-1], 1e-30)
-    share = gaps[1:] / gaps[:-1]
+    share = maximum(right - middle, 1e-30) / maximum(middle - left, 1e-30)
     reach = maximum(abs(before - here) * share, abs(after - here) / share)
     goal = where(top, ceil(here), floor(here))
     near = where(top, goal - here, here - goal)
-    row, which = nonzero(((before - here) * (after - here) > 0) & (near <= reach) & (goal >= 0))
-    goal, top = goal[row, which], top[row, which]
-    left, right = places[row, which], places[row + 2, which]
-    if not row.size:
+    close = flatnonzero(((before - here) * (after - here) > 0) & (near <= reach) & (goal >= 0))
+    which, goal, top, left, right = which[close], goal[close], top[close], left[close], right[close]
+    if not close.size:
         return Brackets(which, goal, full(which.shape, sign), left, right, left, right), which
     some = rows(group, which)
     length = some.rods.length
-    finer = left + (right - left) * linspace(0, 1, 17).astype(left.dtype)[:, None]
+    finer = left + (right - left) * FINER.astype(left.dtype)[:, None]
     swings, arrivals = rough_times(some.rods, some.piece, finer)
-    short = where(top, 1, -1) * (goal - (length - sign * arrivals) / (2 * swings))
+    short = where(top, 1, -1).astype(left.dtype) * (goal - (length - sign * arrivals) / (2 * swings))
     # Sure: well beyond, once; or so far from it that a curve that bends one way does not reach it.
     best = short.argmin(axis=0)
     column = arange(which.size)

@@ -6,7 +6,15 @@ from typing import Any, NamedTuple
 
 from numpy import abs, cos, flatnonzero, floor, full, ldexp, sin, sqrt, where, zeros
 
-from derive.emit.kernels.arcs_each import arc_to_each, clamp_point_each, far_point_each
+from derive.emit.kernels.arcs_each import (
+    arc_from_far_each,
+    arc_to_each,
+    clamp_point_each,
+    far_point_each,
+    heading_of_each,
+    phase_from_far_each,
+    sent_back_each,
+)
 from derive.emit.kernels.arithmetic import pi
 from derive.emit.kernels.block_records import rows
 
@@ -51,45 +59,63 @@ def bent(group, found, most):
     wanted = flatnonzero(index <= most)
     if wanted.size < index.size:
         found, index = rows(found, wanted), index[wanted]
-    some = rows(group, found.range)
-    rods, motion, phase = some.rods, found.motion, found.phase
-    beta, eta, field_angle = rods.beta, rods.eta, rods.field_angle
-    cosine, aligned = cos(motion.tip), cos(motion.tip - field_angle)
-    y, z, square = positions(rods, found)
+    rods, rank, turns = rows((group.rods, group.rank, group.turns), found.range)
+    motion, phase = found.motion, found.phase
+    beta, eta, length = rods.beta, rods.eta, rods.length
+    heading = heading_of_each(rods.field_angle, motion)
+    y, z, square = departures(rods, heading, found)
     speed = phase.delta * phase.whole / (motion.end * motion.sine) * sqrt(2 * motion.done_sine * motion.left_sine)
-    gamma = 2 * beta * cosine + eta * aligned * aligned
-    energy = gamma * rods.length / 2 - 2 * beta * y - square
+    gamma = 2 * beta * heading.cosine + eta * (1 + heading.double_cosine) / 2
+    energy = -gamma * length / 2 - 2 * beta * y - square
     scale, side = rods.scale, rods.side
     return Columns(
         rods.case,
-        side * (some.rank - LAST),
+        side * (rank - LAST),
         side * found.place,
-        side * (motion.tip + 2 * pi * some.turns),
+        side * (motion.tip + 2 * pi * turns),
         -side * found.sign * ldexp(speed, scale),
         ldexp(gamma, 2 * scale),
-        ldexp(y, -scale),
-        side * ldexp(z, -scale),
+        ldexp(length * heading.cosine + y, -scale),
+        side * ldexp(length * heading.sine + z, -scale),
         ldexp(energy, scale),
         index,
     )
 
 
-def positions(rods, found):
-    """∫cos θ, ∫sin θ and η∫cos²(θ − α) along the rods; whole half-swings only for those that have any."""
-    motion, phase = found.motion, found.phase
-    beta, eta, field_angle = rods.beta, rods.eta, rods.field_angle
-    point = clamp_point_each(motion, phase)
-    part = arc_to_each(beta, eta, field_angle, motion, point, phase.square, phase.rest, found.arrival)
-    columns = [found.sign * column for column in part]
+def departures(rods, heading, found):
+    """The arcs of the rods, less those of straight ones: of whole half-swings, and of the last stretch."""
+    columns = [zeros(found.turns.size) for _ in range(3)]
+    motion, swing, through = found.motion, found.swing, 2 * found.turns - (found.sign < 0)
     swung = flatnonzero(found.turns > 0)
     if swung.size:
-        some, motion, swing, turns = rows((rods, found.motion, found.swing, found.turns), swung)
+        some, there, motion, swing, times = rows((rods, heading, motion, swing, through), swung)
         one, none = full(swung.shape, 1.0), zeros(swung.size)
-        far = far_point_each(motion)
-        whole = arc_to_each(some.beta, some.eta, some.field_angle, motion, far, one, none, swing)
+        whole = arc_to_each(some.beta, some.eta, there, motion, far_point_each(motion), one, none, swing)
         for column, change in zip(columns, whole, strict=True):
-            column[swung] += 2 * turns * change
+            column[swung] = times * change
+    for which, stretch in ((found.sign > 0, first_stretches), (found.sign < 0, last_stretches)):
+        some = flatnonzero(which)
+        if some.size:
+            for column, change in zip(columns, stretch(*rows((rods, heading, found), some)), strict=True):
+                column[some] += change
     return columns
+
+
+def first_stretches(rods, heading, found):
+    """The arcs from the tip, or from where the motion is as there, to the clamp."""
+    motion, phase = found.motion, found.phase
+    point = clamp_point_each(motion, phase)
+    return arc_to_each(rods.beta, rods.eta, heading, motion, point, phase.square, phase.rest, found.arrival)
+
+
+def last_stretches(rods, heading, found):
+    """The arcs from the last turning point to the clamp, of rods that end on their way back."""
+    back, extent = sent_back_each(found.motion), found.swing - found.arrival
+    there = heading_of_each(-rods.field_angle, back)
+    square, rest = phase_from_far_each(found.motion, found.phase.square, found.phase.rest)
+    point = clamp_point_each(back, found.phase._replace(square=square, rest=rest))
+    arc = arc_to_each(rods.beta, rods.eta, there, back, point, square, rest, extent)
+    return arc_from_far_each(rods.eta, heading, there, arc, extent)
 
 
 def straight_rods(straight, most):

@@ -31,6 +31,7 @@ from derive.emit.kernels.array_arithmetic import each_less_quarters
 from derive.emit.kernels.block_pieces import Rods, groups
 from derive.emit.kernels.block_records import element, joined, rows, slab
 from derive.emit.kernels.block_search import tips
+from derive.emit.kernels.block_shots import is_shot, shots_of
 from derive.emit.kernels.block_tips import Columns, bent, no_columns, straight_rods
 from derive.emit.kernels.equilibria import all_equilibria
 
@@ -100,9 +101,19 @@ def at_once(beta, eta, length, clamp_angle, field_angle, size, most):
     slow = extent * sqrt(force + magnet)
     clamp, field = full(size, clamp_angle), principal_each(field_angle)
     good = (slow < SLOWEST) & (slow > epsilon())
-    rods = both_sides_each(rows(Rods(arange(size), 1, scale, force, magnet, extent, clamp, field, slow), good))
-    found, doubtful = on_arrays(rods, most)
+    rods = rows(Rods(arange(size), 1, scale, force, magnet, extent, clamp, field, slow, slow < 0), good)
+    rods, shots = with_shots(rods, size)
+    found, doubtful = on_arrays(rods, shots, most)
     return found, unique(concatenate([flatnonzero(~good), doubtful, flatnonzero(short(found, size, most))]))
+
+
+def with_shots(rods, size):
+    """The rods and their mirror images, marked where all tips are known nearly, and without sides that have none."""
+    shot = is_shot(rods)
+    shots, unsure = shots_of(rows(rods, shot), size)
+    shot &= ~isin(rods.case, rods.case[shot][unsure])
+    both = both_sides_each(rods._replace(shot=shot))
+    return rows(both, ~both.shot | (shots.number[2 * both.case + (both.side < 0)] > 0)), shots
 
 
 def both_sides_each(rods):
@@ -120,6 +131,7 @@ def both_sides_each(rods):
         side * twice.clamp_angle,
         mirrored_each(twice.field_angle, side),
         twice.slow,
+        twice.shot,
     )
 
 
@@ -163,13 +175,13 @@ def one_by_one(beta, eta, length, clamp_angle, field_angle, max_index):
     )
 
 
-def on_arrays(rods, most):
+def on_arrays(rods, shots, most):
     """The equilibria of rods with tips below the clamp angle, the straight ones, and the cases left to the scalar
     solver."""
     found, straight, doubtful = groups(rods)
     parts, left = [no_columns()], [doubtful]
     for group in found:
-        tip, lost = tips(group, most)
+        tip, lost = tips(group, shots, most)
         left.append(group.rods.case[lost])
         parts += [bent(group, some, most) for some in tip]
     parts += [straight_rods(some, most) for some in straight]

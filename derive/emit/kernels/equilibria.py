@@ -2,10 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from typing import NamedTuple
 
-from derive.emit.kernels.arcs import Arc, arc_to, clamp_point, far_point
+from derive.emit.kernels.arcs import (
+    Arc,
+    Heading,
+    arc_from_far,
+    arc_to,
+    clamp_point,
+    far_point,
+    heading_of,
+    phase_from_far,
+    sent_back,
+)
 from derive.emit.kernels.arithmetic import (
     cos,
     epsilon,
@@ -15,6 +24,7 @@ from derive.emit.kernels.arithmetic import (
     ldexp,
     less_quarters,
     pi,
+    plus_quarters,
     sin,
     sqrt,
 )
@@ -41,6 +51,8 @@ class Rod(NamedTuple):
 class Swing(NamedTuple):
     """A half-swing of a bent rod, for its shape: how it was found, its length, and its arc. turns: of the clamp.
 
+    heading: the tip's direction. total: the arc of the whole rod.
+
     The clamp lies on the half-swing after ``whole`` of them, at the length ``arrival`` from where the motion is as at
     the tip, of which ``regular`` is not straight, and at the phase ψ with sin²ψ = square and cos²ψ = rest.
     """
@@ -48,7 +60,9 @@ class Swing(NamedTuple):
     stay: Stay
     turns: int
     length: float
+    heading: Heading
     arc: Arc
+    total: Arc
     middle_angle: float
     far_angle: float
     whole: int
@@ -58,8 +72,7 @@ class Swing(NamedTuple):
     rest: float
 
 
-@dataclass(frozen=True, slots=True)
-class Equilibrium:
+class Equilibrium(NamedTuple):
     """One equilibrium of a rod.
 
     tip_angle: θ(ℓ), continuous from θ(0) = clamp_angle, not wrapped. clamp_curvature: θ′(0). gamma: constant of
@@ -109,7 +122,7 @@ def in_order(found):
     """The list with tips that are nearer than rounding given as equal, where rounding would exchange them."""
     for k in range(1, len(found)):
         if found[k].tip_angle < found[k - 1].tip_angle:
-            found[k] = replace(found[k], tip_angle=found[k - 1].tip_angle)
+            found[k] = found[k]._replace(tip_angle=found[k - 1].tip_angle)
     return found
 
 
@@ -155,32 +168,37 @@ def straight(rod, scene, clamp, most):
 
 def bent_rod(rod, turns, piece, crossing, index):
     """The equilibrium of a tip on its branch."""
-    beta, eta, field_angle, length = rod.beta, rod.eta, rod.field_angle, rod.length
+    beta, eta, length = rod.beta, rod.eta, rod.length
     stay, phase, (swing, arrival) = crossing.sample.stay, crossing.sample.phase, crossing.sample.regular
     motion, basin = stay.motion, piece.basin
+    heading = heading_of(rod.field_angle, motion)
     whole = Arc(0, 0, 0)  # not asked for within the first half-swing
     if crossing.turns:
-        whole = arc_to(beta, eta, field_angle, motion, far_point(motion), 1, 0, swing)
-        whole = with_stays(eta, field_angle, whole, stay, stay.middle, stay.far, basin)
-    part = arc_to(beta, eta, field_angle, motion, clamp_point(motion, phase), phase.square, phase.rest, arrival)
-    part = with_stays(eta, field_angle, part, stay, stay.arrival, 0, basin)
+        whole = arc_to(beta, eta, heading, motion, far_point(motion), 1, 0, swing)
+        whole = with_stays(rod, heading, whole, basin, stay.middle, stay.far)
     both, sign = 2 * crossing.turns, crossing.sign
-    y, z, square = (float(both * a + sign * b) for a, b in zip(whole, part, strict=True))
+    if sign > 0:
+        part = arc_to(beta, eta, heading, motion, clamp_point(motion, phase), phase.square, phase.rest, arrival)
+        part = with_stays(rod, heading, part, basin, stay.arrival, 0)
+    else:
+        part = last_stretch(rod, heading, motion, phase, swing - arrival)
+        part = with_stays(rod, heading, part, basin, stay.middle - stay.arrival, stay.far)
+    through = both if sign > 0 else both - 1
+    arc = Arc(*(float(through * a + b) for a, b in zip(whole, part, strict=True)))
     speed = phase.delta * phase.whole / (motion.end * motion.sine)
     speed = speed * sqrt(2 * motion.done_sine * motion.left_sine)
-    aligned = cos(motion.tip - field_angle)
-    gamma = 2 * beta * cos(motion.tip) + eta * aligned * aligned
-    energy = gamma * length / 2 - 2 * beta * y - square
+    gamma = 2 * beta * heading.cosine + eta * (1 + heading.double_cosine) / 2
+    energy = -gamma * length / 2 - 2 * beta * arc.y - arc.square
     scale = rod.scale
     first = arrival + stay.tip + stay.arrival
     # The length of the rod is better known than that of a half-swing.
     half_swing = (length - sign * first) / both if both else swing + stay.tip + stay.middle + stay.far
     return Equilibrium(
-        rod.side * (motion.tip + 2 * pi * turns),
+        rod.side * plus_quarters(motion.tip, 4 * turns),
         -rod.side * sign * ldexp(speed, scale),
         ldexp(gamma, 2 * scale),
-        ldexp(y, -scale),
-        rod.side * ldexp(z, -scale),
+        ldexp(length * heading.cosine + arc.y, -scale),
+        rod.side * ldexp(length * heading.sine + arc.z, -scale),
         ldexp(energy, scale),
         index,
         rod,
@@ -188,10 +206,12 @@ def bent_rod(rod, turns, piece, crossing, index):
             stay,
             turns,
             half_swing,
+            heading,
             whole,
+            arc,
             basin.axis.angle,
             basin.far.angle,
-            both if sign > 0 else both - 1,
+            through,
             first,
             arrival,
             phase.square,
@@ -200,12 +220,25 @@ def bent_rod(rod, turns, piece, crossing, index):
     )
 
 
-def with_stays(eta, field_angle, arc, stay, middle, far, basin):
-    """An arc with the straight lengths along the directions at which the motion nearly rests."""
+def last_stretch(rod, heading, motion, phase, extent):
+    """The arc from the last turning point to the clamp, of a rod that ends on its way back; extent: its length."""
+    back = sent_back(motion)
+    there, (square, rest) = heading_of(-rod.field_angle, back), phase_from_far(motion, phase.square, phase.rest)
+    point = clamp_point(back, phase._replace(square=square, rest=rest))
+    arc = arc_to(rod.beta, rod.eta, there, back, point, square, rest, extent)
+    return arc_from_far(rod.eta, heading, there, arc, extent)
+
+
+def with_stays(rod, heading, arc, basin, middle, far):
+    """An arc with the straight lengths along the ridge and the far hill, at which the motion nearly rests.
+
+    Those along the tip's direction change nothing.
+    """
     y, z, square = arc
-    for angle, extent in ((stay.motion.tip, stay.tip), (basin.axis.angle, middle), (basin.far.angle, far)):
-        aligned = cos(angle - field_angle)
-        y, z, square = y + extent * cos(angle), z + extent * sin(angle), square + extent * eta * aligned * aligned
+    for angle, extent in ((basin.axis.angle, middle), (basin.far.angle, far)):
+        turned = rod.eta * (cos(2 * (angle - rod.field_angle)) - heading.double_cosine) / 2
+        y, z = y + extent * (cos(angle) - heading.cosine), z + extent * (sin(angle) - heading.sine)
+        square = square + extent * turned
     return Arc(y, z, square)
 
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import pairwise
+from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import ceil, frexp, ldexp
 from derive.emit.kernels.equilibria import principal
@@ -17,8 +17,7 @@ from derive.emit.kernels.variations import Change
 CLOSE = 1e-3
 
 
-@dataclass(frozen=True, slots=True)
-class Exchange:
+class Exchange(NamedTuple):
     """At this β and η the two folds of a diagram over η meet: it changes its aspect as β goes by.
 
     With F = θ(0) − clamp angle as a function of the tip angle φ and of η: F = ∂F/∂φ = ∂F/∂η = 0. kind: 'exchange',

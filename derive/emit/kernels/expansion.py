@@ -1,18 +1,18 @@
-"""Power series of a rod in the length from its tip, in bins along it, by the equation of equilibrium.
+"""Power series of a rod in the length from its clamp, in bins along it, by the equation of equilibrium.
 
 Lengths are the rod's own, in which β + η is of order one. A series is about the middle of its bin, where angle, slope
-and place come from the closed form; it is as long as its last terms ask for.
+and place come from the closed form; it is as long as its last terms ask for. What is asked for is a length from the
+clamp, so that it is not rounded: where a long rod bends, the last digit of one from its tip is many digits of θ.
 """
 
 from __future__ import annotations
 
-from math import floor, ldexp, log2, sqrt
+from math import floor, frexp, ldexp, log2
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from derive.emit.kernels.shapes import angle_and_position, point_at
-from derive.emit.kernels.swing import phase_at
+from derive.emit.kernels.shapes import angle_and_position
 
 SHORT = 128  # bins up to which none is looked for that is straight
 AT_A_TIME = 16  # bins whose cells are computed together, so that they stay in the cache
@@ -21,7 +21,7 @@ LONGEST = 48  # the longest series; where more terms are wanted, bins are halved
 
 
 class State(NamedTuple):
-    """What the series of a bin starts from: angle, its slope by the length from the tip, and y + iz."""
+    """What the series of a bin starts from: angle, its slope by the length, and y + iz."""
 
     angle: Any
     slope: Any
@@ -29,13 +29,12 @@ class State(NamedTuple):
 
 
 class Bins(NamedTuple):
-    """Series of equal bins of which the first begins at ``start`` bins from the tip.
+    """Series of equal bins of which the first begins at the clamp.
 
     angle, place: coefficients, by power and bin. straight: the bins in which θ is constant to rounding.
     """
 
     width: float
-    start: int
     straight: Any
     angle: Any
     place: Any
@@ -52,30 +51,29 @@ def quarter():
 
 
 def period_of(equilibrium):
-    """The period of θ in the length from the tip, and what y + iz changes by over it; 0 where the rod is shorter."""
+    """The period of θ in the length, and what y + iz changes by over it; 0 where the rod is shorter."""
     rod, swing = equilibrium.rod, equilibrium.swing
     if rod.length <= 2 * swing.length:
         return 0.0, 0.0
-    return 2 * swing.length, -2 * ldexp(1.0, -rod.scale) * complex(swing.arc.y, rod.side * swing.arc.z)
+    length, heading = swing.length, swing.heading
+    y, z = swing.arc.y + length * heading.cosine, swing.arc.z + length * heading.sine
+    return 2 * length, 2 * ldexp(1.0, -rod.scale) * complex(y, rod.side * z)
 
 
 def bins_of(equilibrium, position):
-    """The bins of a rod: over its length, or over a period about the tip where the rod is longer than that.
+    """The bins of a rod: over its length, or over a period where the rod is longer than that.
 
     Their places are worth nothing without ``position``.
     """
-    mirrored = period_of(equilibrium)[0] > 0
-    reach = equilibrium.swing.length if mirrored else equilibrium.rod.length
-    width, series = 0.5, None
+    reach = period_of(equilibrium)[0] or equilibrium.rod.length
+    width, series = min(0.5, ldexp(1.0, frexp(reach)[1])), None
     while series is None:
         count = int(reach / width) + 1
         state, straight = states(equilibrium, width, count, position)
-        if mirrored:
-            state, straight = with_mirror(equilibrium, state), np.concatenate((straight[::-1], straight))
         series = complete_series(equilibrium.rod, state, width / 2)
         found = width
         width /= 2
-    return Bins(found, -count if mirrored else 0, straight, *series)
+    return Bins(found, straight, *series)
 
 
 def complete_series(rod, state, half):
@@ -86,7 +84,7 @@ def complete_series(rod, state, half):
     for degree in range(2 - int(56 / log2(half)), LONGEST + 1, 6):
         angle, place = series(rod, state, degree)
         last = abs(np.concatenate((degree * angle[-2:], ldexp(1.0, rod.scale) * place[-2:]), axis=1)).max(axis=1)
-        if max(last[0] * half ** (degree - 1), last[1] * half**degree) <= negligible():
+        if max(last[0] * half ** (degree - 1), last[1] * half**degree / min(1.0, rod.length)) <= negligible():
             return angle, place
     return None
 
@@ -102,24 +100,14 @@ def series(rod, state, degree):
     place[0] = state.place
     for n in range(degree):
         if n:
-            # d/dσ e^{iθ} = iθ′e^{iθ}, by powers.
+            # d/ds e^{iθ} = iθ′e^{iθ}, by powers.
             once[n] = 1j / n * (turned[1 : n + 1] * once[n - 1 :: -1]).sum(axis=0)
             twice[n] = 2j / n * (turned[1 : n + 1] * twice[n - 1 :: -1]).sum(axis=0)
         if n + 2 <= degree:
             turned[n + 2] = (rod.beta * once[n].imag + rod.eta / 2 * twice[n].imag) / (n + 1)
             angle[n + 2] = turned[n + 2] / (n + 2)
-        place[n + 1] = -ldexp(1.0, -rod.scale) * once[n] / (n + 1)
+        place[n + 1] = ldexp(1.0, -rod.scale) * once[n] / (n + 1)
     return angle, place
-
-
-def with_mirror(equilibrium, state):
-    """States on both sides of the tip: θ is even there, and the arc is odd."""
-    tip = complex(equilibrium.y, equilibrium.z)
-    return State(
-        np.concatenate((state.angle[::-1], state.angle)),
-        np.concatenate((-state.slope[::-1], state.slope)),
-        np.concatenate((2 * tip - state.place[::-1], state.place)),
-    )
 
 
 def states(equilibrium, width, count, position):
@@ -135,7 +123,7 @@ def states(equilibrium, width, count, position):
     middles = np.arange(count) + 0.5
     straight = np.zeros(count, dtype=bool)
     angle, slope, place = np.empty(count), np.zeros(count), np.empty(count, dtype=complex)
-    for low, high in straight_ranges(state_at, count, equilibrium.swing.length / width) if count > SHORT else []:
+    for low, high in straight_ranges(state_at, count, turns_of(equilibrium, width)) if count > SHORT else []:
         first, last, inside = state_at(low), state_at(high), slice(low, high)
         share = (middles[inside] - low) / (high - low)
         straight[inside], angle[inside] = True, (first.angle + last.angle) / 2
@@ -146,42 +134,31 @@ def states(equilibrium, width, count, position):
 
 
 def state_of(equilibrium, length, position):
-    """The state at a length from the tip."""
+    """The state at a length from the clamp; beyond the tip θ is even and the arc odd about it."""
     rod = equilibrium.rod
-    angle, slope = angle_and_slope(rod, equilibrium.swing, length)
-    if not position:
-        return State(angle, slope, 0)
-    _, _, y, z = angle_and_position(equilibrium, ldexp(rod.length - length, -rod.scale))
-    return State(angle, slope, complex(y, z))
+    beyond = length > rod.length
+    within = 2 * rod.length - length if beyond else length
+    angle, slope, y, z = angle_and_position(equilibrium, ldexp(within, -rod.scale), position)
+    slope, place = ldexp(slope, -rod.scale), complex(y, z)
+    if beyond:
+        slope, place = -slope, 2 * complex(equilibrium.y, equilibrium.z) - place
+    return State(angle, slope, place)
 
 
-def angle_and_slope(rod, swing, length):
-    """θ and its slope at a length from the tip; they cost much less than y and z."""
-    stay, motion = swing.stay, swing.stay.motion
-    count = floor(length / swing.length)
-    within, sign = length - count * swing.length, rod.side
-    if count % 2:
-        within, sign = swing.length - within, -rod.side
-    regular = swing.length - stay.tip - stay.middle - stay.far
-    moving = within - min(within, stay.tip)
-    before = min(moving, regular / 2 if stay.middle > 0 else regular)
-    here = min(before + max(moving - before - stay.middle, 0), regular)
-    if here <= 0:
-        return rod.side * (motion.tip + 2 * np.pi * swing.turns), 0.0
-    square, rest = phase_at(motion.end / 2, motion.middle / 2, here, regular - here)
-    point, half, _ = point_at(motion, square, rest)
-    cotangent = point.pole / point.strength
-    slope = 4 * sqrt(point.one) * point.product / (point.strength * (1 + cotangent * cotangent))
-    return rod.side * (motion.tip + 2 * half + 2 * np.pi * swing.turns), sign * slope
+def turns_of(equilibrium, width):
+    """The first turning points from the clamp on, in bins."""
+    rod, swing = equilibrium.rod, equilibrium.swing
+    first = rod.length - floor(rod.length / swing.length) * swing.length
+    return [(first + number * swing.length) / width for number in range(3)]
 
 
-def straight_ranges(state_at, count, turn):
+def straight_ranges(state_at, count, turns):
     """Ranges of bins at whose ends, and at turning points within, θ is the same to rounding: between them it is
     monotone, therefore constant."""
     ranges, todo = [], [(0, count)]
     while todo:
         low, high = todo.pop()
-        angles = [state_at(bins).angle for bins in (low, turn, 2 * turn, high) if low <= bins <= high]
+        angles = [state_at(bins).angle for bins in (low, *turns, high) if low <= bins <= high]
         if max(angles) - min(angles) <= 2.0**-53 * max(1.0, abs(angles[0])):
             ranges.append((low, high))
         elif high - low > COARSE:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import ceil, frexp, ldexp, log, pi, sqrt
 from derive.emit.kernels.equilibria import Rod, bent_rod, direction, principal, reflected
@@ -13,8 +13,7 @@ from derive.emit.kernels.search import Crossing, delays, sample_at
 from derive.emit.kernels.tracking import LEAST, nearest, zeros
 
 
-@dataclass(frozen=True, slots=True)
-class Fold:
+class Fold(NamedTuple):
     """Two equilibria meet, at this η, and vanish on one side of it.
 
     tip_angle, clamp_curvature, y, z: of the rod there. index: the lower of the two indices that meet; the other one is

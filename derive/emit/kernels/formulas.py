@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 17368dd2f0b0f1e4029ca88b90f896e277f1a6c6396bc2c39d6d889584953a52
+Digest of the inputs: sha256 8237e633f96b6b912010997153f1cf91ffa4f8387cfd2aa8e3bcabbf6d73c30f
 """
 
 from __future__ import annotations
@@ -223,12 +223,36 @@ def gauss_rest(first, second, square, rest, delta, below):
     )
 
 
-def second_kind_step(first, second, square, rest, delta, arc):
-    """2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step.
+def far_sine(first, rest, delta):
+    """sin ψ of the same point by the length from the far turning point.
+
+    Equation DLMF 22.4(iii); proved as swing.far_sine.
+    """
+    return first * sqrt(rest) / delta
+
+
+def far_cosine(second, square, delta):
+    """cos ψ of the same point by the length from the far turning point.
+
+    Equation DLMF 22.4(iii); proved as swing.far_cosine.
+    """
+    return second * sqrt(square) / delta
+
+
+def second_kind_step(total, gap, below, square, rest, arc):
+    """2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step; below = a + Δ.
 
     Equation DLMF 19.8.19; proved as swing.second_kind_step.
     """
-    return (first + second) * (first - second) * (0.5 * arc - sqrt(square * rest) / (first + delta))
+    return total * gap * (0.5 * arc - sqrt(square * rest) / below)
+
+
+def gauss_gap(gap, total):
+    """a′ − b′ after Gauss's step, by gap = a − b and total = a′ + b′.
+
+    Equation DLMF 19.8(i); proved as swing.gauss_gap.
+    """
+    return 0.25 * gap * gap / total
 
 
 def back_below(first, second, square):
@@ -263,28 +287,44 @@ def back_rest(first, second, gap, rest, below):
     return rest * (4 * first * second + rest * gap * gap) / (below * below)
 
 
-def before_over(first, square, rest, by_delta):
-    """What the cosine of a difference of lengths is divided by; by_delta is Δ at the length taken off.
+def back_move(first, gap, square, rest, below):
+    """by how much sin²ψ is more than sin²ψ′, with gap = a − b: Gauss's step undone.
+
+    Equation DLMF 19.8(iii); proved as swing.back_move.
+    """
+    return gap * square * rest * (below + 2 * first) / (below * below)
+
+
+def phase_ratio(share, square, rest):
+    """Δ/a by share = (b/a)².
+
+    Equation DLMF 19.2.4; proved as swing.phase_ratio.
+    """
+    return sqrt(rest + share * square)
+
+
+def before_over(square, rest, by_ratio):
+    """What the cosine of a difference of lengths is divided by; by_ratio is Δ/a at the length taken off.
 
     Equation DLMF 22.8(i); proved as swing.before_over.
     """
-    return square * by_delta / first + first * rest / by_delta
+    return rest + square * by_ratio * by_ratio
 
 
-def before_cosine(first, square, rest, delta, by_square, by_rest, by_delta, over):
+def before_cosine(square, rest, ratio, by_square, by_rest, by_ratio, over):
     """cos ψ at the difference of two lengths from the tip.
 
     Equation DLMF 22.8(i); proved as swing.before_cosine.
     """
-    return (delta * sqrt(square * by_square) / first + first * sqrt(rest * by_rest) / by_delta) / over
+    return (ratio * by_ratio * sqrt(square * by_square) + sqrt(rest * by_rest)) / over
 
 
-def before_sine(first, square, rest, delta, by_square, by_rest, by_delta, fall):
+def before_sine(square, rest, ratio, by_square, by_rest, by_ratio, fall):
     """sin ψ at the difference of two lengths from the tip, by the difference of their sin²ψ.
 
     Equation DLMF 22.8(i); proved as swing.before_sine.
     """
-    return first * fall / ((sqrt(square * by_rest) + delta * sqrt(rest * by_square) / by_delta) * by_delta)
+    return fall / (by_ratio * sqrt(square * by_rest) + ratio * sqrt(rest * by_square))
 
 
 def strength(moment_there):
@@ -487,20 +527,20 @@ def w_imag(b, rj_re):
     return 2 * b * rj_re / 3
 
 
-def arc_y(sine, cosine, arc, w_re, w_im):
-    """∫y′ dσ from the tip to the point, by sin φ and cos φ.
+def arc_y(sine, cosine, w_re, w_im):
+    """∫y′ dσ from the tip to the point less what it is along the tip's direction, by sin φ and cos φ.
 
     Equation exsl36; proved as swing.arc_y.
     """
-    return cosine * (arc + w_re) - sine * w_im
+    return cosine * w_re - sine * w_im
 
 
-def arc_z(sine, cosine, arc, w_re, w_im):
-    """∫z′ dσ from the tip to the point, by sin φ and cos φ.
+def arc_z(sine, cosine, w_re, w_im):
+    """∫z′ dσ from the tip to the point less what it is along the tip's direction, by sin φ and cos φ.
 
     Equation exsl41; proved as swing.arc_z.
     """
-    return sine * (arc + w_re) + cosine * w_im
+    return sine * w_re + cosine * w_im
 
 
 def others_sum(q, root):
@@ -546,15 +586,9 @@ def arc_kink_tip(first, second, delta, across, b, pole, near_root, gap):
     )
 
 
-def arc_square(beta, eta, cosine, aligned, first, root, arc, y, kink, growth):
-    """η∫cos²(θ − α)dσ from the tip to the point, by cos φ and cos(φ − α).
+def arc_square(beta, first, root, arc, y_apart, kink, growth):
+    """η∫cos²(θ − α)dσ from the tip to the point less what it is along the tip's direction, by the same of y.
 
     Equation DLMF 19.29(ii); proved as swing.arc_square.
     """
-    return (
-        arc * (beta * cosine + eta * aligned * aligned)
-        - beta * y
-        - 2 * arc * (2 * first * first - 2 * root)
-        - 2 * kink
-        - 8 * growth
-    )
+    return -beta * y_apart - 2 * arc * (2 * first * first - 2 * root) - 2 * kink - 8 * growth

@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 776dccc778c477d8e4bb0ce8067f3662f8d552cb9b70cdefb72f39c4cfc8c972
+Digest of the inputs: sha256 97a82846ba4c9f40ddc4f89dc390828121cf1b1ce085860c871f1b6beefce85c
 """
 
 from __future__ import annotations
@@ -225,12 +225,36 @@ def gauss_rest_each(first, second, square, rest, delta, below):
     )
 
 
-def second_kind_step_each(first, second, square, rest, delta, arc):
-    """2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step.
+def far_sine_each(first, rest, delta):
+    """sin ψ of the same point by the length from the far turning point.
+
+    Equation DLMF 22.4(iii); proved as swing.far_sine.
+    """
+    return first * each_sqrt(rest) / delta
+
+
+def far_cosine_each(second, square, delta):
+    """cos ψ of the same point by the length from the far turning point.
+
+    Equation DLMF 22.4(iii); proved as swing.far_cosine.
+    """
+    return second * each_sqrt(square) / delta
+
+
+def second_kind_step_each(total, gap, below, square, rest, arc):
+    """2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step; below = a + Δ.
 
     Equation DLMF 19.8.19; proved as swing.second_kind_step.
     """
-    return (first + second) * (first - second) * (0.5 * arc - each_sqrt(square * rest) / (first + delta))
+    return total * gap * (0.5 * arc - each_sqrt(square * rest) / below)
+
+
+def gauss_gap_each(gap, total):
+    """a′ − b′ after Gauss's step, by gap = a − b and total = a′ + b′.
+
+    Equation DLMF 19.8(i); proved as swing.gauss_gap.
+    """
+    return 0.25 * gap * gap / total
 
 
 def back_below_each(first, second, square):
@@ -263,6 +287,14 @@ def back_rest_each(first, second, gap, rest, below):
     Equation DLMF 19.8(iii); proved as swing.back_rest.
     """
     return rest * (4 * first * second + rest * gap * gap) / (below * below)
+
+
+def back_move_each(first, gap, square, rest, below):
+    """by how much sin²ψ is more than sin²ψ′, with gap = a − b: Gauss's step undone.
+
+    Equation DLMF 19.8(iii); proved as swing.back_move.
+    """
+    return gap * square * rest * (below + 2 * first) / (below * below)
 
 
 def strength_each(moment_there):
@@ -361,20 +393,20 @@ def w_imag_each(b, rj_re):
     return 2 * b * rj_re / 3
 
 
-def arc_y_each(sine, cosine, arc, w_re, w_im):
-    """∫y′ dσ from the tip to the point, by sin φ and cos φ.
+def arc_y_each(sine, cosine, w_re, w_im):
+    """∫y′ dσ from the tip to the point less what it is along the tip's direction, by sin φ and cos φ.
 
     Equation exsl36; proved as swing.arc_y.
     """
-    return cosine * (arc + w_re) - sine * w_im
+    return cosine * w_re - sine * w_im
 
 
-def arc_z_each(sine, cosine, arc, w_re, w_im):
-    """∫z′ dσ from the tip to the point, by sin φ and cos φ.
+def arc_z_each(sine, cosine, w_re, w_im):
+    """∫z′ dσ from the tip to the point less what it is along the tip's direction, by sin φ and cos φ.
 
     Equation exsl41; proved as swing.arc_z.
     """
-    return sine * (arc + w_re) + cosine * w_im
+    return sine * w_re + cosine * w_im
 
 
 def others_sum_each(q, root):
@@ -420,15 +452,9 @@ def arc_kink_tip_each(first, second, delta, across, b, pole, near_root, gap):
     )
 
 
-def arc_square_each(beta, eta, cosine, aligned, first, root, arc, y, kink, growth):
-    """η∫cos²(θ − α)dσ from the tip to the point, by cos φ and cos(φ − α).
+def arc_square_each(beta, first, root, arc, y_apart, kink, growth):
+    """η∫cos²(θ − α)dσ from the tip to the point less what it is along the tip's direction, by the same of y.
 
     Equation DLMF 19.29(ii); proved as swing.arc_square.
     """
-    return (
-        arc * (beta * cosine + eta * aligned * aligned)
-        - beta * y
-        - 2 * arc * (2 * first * first - 2 * root)
-        - 2 * kink
-        - 8 * growth
-    )
+    return -beta * y_apart - 2 * arc * (2 * first * first - 2 * root) - 2 * kink - 8 * growth

@@ -19,11 +19,10 @@ PLACE_DEGREE = 5  # the slope is not asked for, so it needs a degree less
 class Table(NamedTuple):
     """Short power series in cells, for θ, y and z: four low coefficients by row, and the high ones.
 
-    period: of θ in the length from the tip, or 0 where the cells cover the rod. advance: y + iz over a period.
+    period: of θ in the length, or 0 where the cells cover the rod. advance: y + iz over a period.
     per_bin: first row and number of cells of each bin, where those differ; else None. slope: θ′ per change in a cell.
     """
 
-    start: float
     cells: float
     per_bin: Any
     rows: tuple
@@ -57,13 +56,13 @@ class Spare(NamedTuple):
 def fill(rod, table, s, results, spare):
     """The values of a block of points."""
     within, whole, periods, gathered, row = (part[: s.size] for part in spare)
-    np.multiply(s, -ldexp(1.0, rod.scale), out=within)
-    within += rod.length
+    np.multiply(s, ldexp(1.0, rod.scale), out=within)
     if table.period:
         np.multiply(within, 1 / table.period, out=periods)
-        np.rint(periods, out=periods)
+        np.floor(periods, out=periods)
         np.multiply(periods, table.period, out=whole)
         within -= whole
+        np.maximum(within, 0, out=within)
     locate(table, within, whole, gathered, row)
     theta, curvature = results[:2]
     sum_gathered(table.rows[0], ANGLE_DEGREE, row, within, gathered, theta, curvature)
@@ -76,12 +75,13 @@ def fill(rod, table, s, results, spare):
 
 
 def locate(table, within, whole, gathered, row):
-    """From lengths from the tip to the rows, and to places in the cells, between −½ and ½; exact, for cells are powers
-    of two wide."""
+    """From lengths from the clamp to the rows, and to places in the cells, between −½ and ½.
+
+    Exact, for cells are powers of two wide.
+    """
     within *= table.cells
     np.floor(within, out=whole)
     within -= whole
-    whole -= table.start
     np.copyto(row, whole, casting="unsafe")
     if table.per_bin is not None:
         ends = gather(table.per_bin, row, gathered)
@@ -130,13 +130,12 @@ def table_of(equilibrium, bins, position):
     counts = np.where(bins.straight, 1, cells)
     period, advance = period_of(equilibrium)
     return Table(
-        bins.start * (cells if uniform else 1),
         cells / bins.width if uniform else 1 / bins.width,
         None if uniform else np.stack((np.cumsum(counts) - counts, counts), axis=1).astype(float),
         tuple(halves(part * 2.0 ** np.arange(len(part))[:, None]) for part in parts),
         period,
         advance,
-        -ldexp(cells / bins.width, rod.scale),
+        ldexp(cells / bins.width, rod.scale),
     )
 
 
@@ -152,7 +151,7 @@ def short_series(rod, bins, cells, position):
     parts = [angle]
     for place in (bins.place.real, bins.place.imag) if position else ():
         part, rest = in_cells(bins, place, cells, PLACE_DEGREE)
-        if np.max(rest.sum(axis=0)) > quarter() * ldexp(max(1.0, rod.length), -rod.scale):
+        if np.max(rest.sum(axis=0)) > quarter() * ldexp(rod.length, -rod.scale):
             return None
         parts.append(part)
     return parts

@@ -127,7 +127,9 @@ def parallel_side(beta, eta, piece, rise, drop, from_hill, depth):
     up = 2 * asin(within(dip / sin((down + distance) / 2)))
     if piece.high_kind == "turn":
         share = sin(from_hill + drop / 2) * sin(drop / 2) / sin((piece.far_gap + distance) / 2)
-        left = 2 * asin(within(share))
+        # The clamp's own distance from the hill is exact, the range's width is not.
+        rough = piece.far_gap - distance
+        left = pick(rough > 0.25 * piece.far_gap, rough, 2 * asin(within(share)))
     else:
         left = up + piece.high_depth
     return (up + depth) / 2, left, 4 * eta * dip * low * high, distance

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 352f2a84dfde82b2dacdd82df1776f542e5f02f51b1f9189585e3793c9c5c653
+Digest of the inputs: sha256 d7f44b2c1977a66285970ae2502080bffbc91b6292b2774611716b03fb7df12a
 """
 
 from __future__ import annotations
@@ -112,7 +112,9 @@ def parallel_side_each(beta, eta, piece, rise, drop, from_hill, depth):
     up = 2 * each_asin(within_each(dip / each_sin((down + distance) / 2)))
     if piece.high_kind == "turn":
         share = each_sin(from_hill + drop / 2) * each_sin(drop / 2) / each_sin((piece.far_gap + distance) / 2)
-        left = 2 * each_asin(within_each(share))
+        # The clamp's own distance from the hill is exact, the range's width is not.
+        rough = piece.far_gap - distance
+        left = each_pick(rough > 0.25 * piece.far_gap, rough, 2 * each_asin(within_each(share)))
     else:
         left = up + piece.high_depth
     return (up + depth) / 2, left, 4 * eta * dip * low * high, distance

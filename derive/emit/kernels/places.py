@@ -55,10 +55,12 @@ def grid(beta, eta, length, piece):
 def least_arrival(beta, eta, piece, place):
     """A length before which no motion from a place, or from a lower one, arrives.
 
-    θ″ is nowhere more than β + η/2, and at an offset from the hill no more than β + η times that: a motion that has
-    the lesser of these two gets ahead of it.
+    θ″ is nowhere more than β + η/2, and at an offset from the hill no more than β + η times that, or than its stiffness
+    times that where the field is along it: a motion that has the lesser of these two gets ahead of it.
     """
-    steep, most = beta + eta, beta + eta / 2
+    hill = piece.basin.hill
+    # β + η cos u and η cos u − β by sin u: both are largest at u = 0.
+    steep, most = hill.stiffness if hill.double_cosine == 1 else beta + eta, beta + eta / 2
     share = 1 / (1 + exp(-max(place, -deepest(piece.width))))
     offset = piece.low_offset + piece.width * share
     clamp = piece.low_offset + piece.width + piece.clamp_gap

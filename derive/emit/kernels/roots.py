@@ -6,37 +6,59 @@ from derive.emit.kernels.arithmetic import epsilon, sqrt
 
 
 def bracketed_root(function, places, values, blur):
-    """A sign change of the function between the first two places, to rounding, by Chandrupatla's method (1997).
+    """A sign change of the function between the first two places, to rounding.
 
-    If there is a third place, it has a value, too. blur: a value that rounding may have made of zero.
+    By the zero of the polynomial through the last five places at which the function is known, or by halving where that
+    gains little. More places may be known than two. blur: a value that rounding may have made of zero.
     """
-    (a, b, *third), (value_a, value_b, *value_third) = places, values
-    fraction = interpolated(a, b, third[0], value_a, value_b, value_third[0]) if third else 0.5
+    nodes, parts = [], []
+    for k in range(len(places) - 1, -1, -1):
+        nodes, parts = with_node(nodes, parts, places[k], values[k])
+    (a, b, *_), (value_a, value_b, *_) = places, values
+    halve = False
     while True:
-        trial = a + fraction * (b - a)
+        if abs(value_b) < abs(value_a):
+            a, b, value_a, value_b = b, a, value_b, value_a
+        least, width = 2 * epsilon() * (1 + abs(a)), abs(b - a)
+        if 2 * least > width or abs(value_a) <= blur:
+            return a
+        share = 0.5 if halve else (zero_near(nodes, parts) - a) / (b - a)
+        if 2 * abs(share) * width < least and abs(value_a) < 16 * blur:
+            return a
+        if -0.05 < share < 0:  # rounding of the values puts the zero on the wrong side
+            share = -2 * share
+        share = max(least / width, share) if 0 <= share < 1 else 0.5
+        trial = a + min(1 - least / width, share) * (b - a)
         value = function(trial)
+        nodes, parts = with_node(nodes, parts, trial, value)
+        little = 4 * abs(value) > abs(value_a)
         if (value > 0) == (value_a > 0):
-            c, value_c = a, value_a
+            a, value_a = trial, value
         else:
-            c, value_c, b, value_b = b, value_b, a, value_a
-        a, value_a = trial, value
-        best, value_best = (a, value_a) if abs(value_a) < abs(value_b) else (b, value_b)
-        least = 2 * epsilon() * (1 + abs(best)) / abs(b - a)
-        if least > 0.5 or abs(value_best) <= blur:
-            return best
-        fraction = min(1 - least, max(least, interpolated(a, b, c, value_a, value_b, value_c)))
+            b, value_b = trial, value
+        halve = little and 2 * abs(b - a) > width
 
 
-def interpolated(a, b, c, value_a, value_b, value_c):
-    """Where on the way from a to b inverse quadratic interpolation puts the zero, or half way where it is unsafe."""
-    if value_c in (value_a, value_b):
-        return 0.5
-    x, y = (a - b) / (c - b), (value_a - value_b) / (value_c - value_b)
-    if x <= 0 or y * y >= x or (1 - y) * (1 - y) >= 1 - x:
-        return 0.5
-    share = value_a / (value_b - value_a) * value_c / (value_b - value_c)
-    share = share + (c - a) / (b - a) * value_a / (value_c - value_a) * value_b / (value_c - value_b)
-    return share if 0 < share < 1 else 0.5
+def with_node(nodes, parts, place, value):
+    """The places of a polynomial and its divided differences, with one more place in front, and no more than five."""
+    found = [value]
+    for k in range(min(len(nodes), 4)):
+        value = (value - parts[k]) / (place - nodes[k])
+        found.append(value)
+    return [place, *nodes[:4]], found
+
+
+def zero_near(nodes, parts):
+    """A zero of a polynomial near its first place; any number where there is none."""
+    last, before, third, fourth = (nodes + 2 * nodes[-1:])[:4]
+    value, slope, bend, twist, rest = (*parts, 0, 0, 0)[:5]
+    zero = last
+    for _ in range(3):
+        steep = slope + (zero - before) * (bend + (zero - third) * (twist + (zero - fourth) * rest))
+        if steep == 0:
+            break
+        zero = last - value / steep
+    return zero
 
 
 def dip(sample, short, left, middle, right):

@@ -15,7 +15,7 @@ RUN_BLOCK = 16384  # points at a time, so that they stay in the cache
 
 
 class Run(NamedTuple):
-    """Points first to last − 1, which lie in a cell, periods beyond the tip's. middle: length from the tip."""
+    """Points first to last − 1, which lie in a cell, periods beyond the clamp's. middle: length from the clamp."""
 
     first: int
     last: int
@@ -45,8 +45,8 @@ def by_runs(equilibrium, bins, cells, s, position):
         for first in range(run.first, run.last, RUN_BLOCK):
             block = slice(first, min(first + RUN_BLOCK, run.last))
             within = spare[: block.stop - first]
-            np.multiply(s[block], -ldexp(2 / width, rod.scale), out=within)
-            within += (rod.length - run.middle) * (2 / width)
+            np.multiply(s[block], ldexp(2 / width, rod.scale), out=within)
+            within -= run.middle * (2 / width)
             for result, row, step in zip(results, rows, advances, strict=False):
                 sum_run(row[run.cell], run.periods * step, within, result[block])
     return results if position else [*results, None, None]
@@ -64,18 +64,17 @@ def sum_run(coefficients, shift, within, out):
 def runs_of(equilibrium, bins, width, s):
     """The runs of points within a cell and a period."""
     rod, count = equilibrium.rod, round(len(bins.straight) * bins.width / width)
-    start, period = bins.start * bins.width / width, period_of(equilibrium)[0]
-    edges = (start + np.arange(count + 1)) * width
-    reached = int(rod.length / period + 0.5) + 1 if period else 1
+    period = period_of(equilibrium)[0]
+    edges = np.arange(count + 1) * width
     if period:
-        edges = np.clip(edges, -period / 2, period / 2)
+        edges = np.minimum(edges, period)
+    else:
+        edges[-1] = np.inf
     runs = []
-    for periods in range(reached):
-        # From the tip on, s falls.
-        ends = np.searchsorted(s, np.ldexp(rod.length - period * periods - edges, -rod.scale), side="right").tolist()
+    for periods in range(int(rod.length / period) + 1 if period else 1):
+        ends = np.searchsorted(s, np.ldexp(period * periods + edges, -rod.scale)).tolist()
         for cell in np.flatnonzero(np.diff(ends)).tolist():
-            middle = period * periods + (start + cell + 0.5) * width
-            runs.append(Run(ends[cell + 1], ends[cell], cell, periods, middle))
+            runs.append(Run(ends[cell], ends[cell + 1], cell, periods, period * periods + (cell + 0.5) * width))
     return runs
 
 
@@ -87,8 +86,8 @@ def series_of(rod, bins, cells, position):
     half = bins.width / 2
     places = (bins.place.real, bins.place.imag) if position else ()
     angle, *parts = (divided(part, half, cells) for part in (bins.angle, *places))
-    slope = -ldexp(cells / half, rod.scale) * np.arange(1, len(angle))[:, None] * angle[1:]
+    slope = ldexp(cells / half, rod.scale) * np.arange(1, len(angle))[:, None] * angle[1:]
     parts = [angle, slope, *parts]
-    length = ldexp(max(1.0, rod.length), -rod.scale)
+    length = ldexp(rod.length, -rod.scale)
     units = 1.0, ldexp(1.0, rod.scale), length, length
     return [shortened(part, quarter() * unit)[::-1].T.tolist() for part, unit in zip(parts, units, strict=False)]

@@ -19,7 +19,7 @@ def samples_on(beta, eta, field_angle, length, piece, sample, short):
         return least_arrival(beta, eta, piece, place) > (1 + SAFE) * length
 
     def fallen(one, other):
-        return fall_between(eta, piece, one.place, other.place)
+        return fall_between(eta, piece, one, other)
 
     if too_low(inf):
         return []
@@ -123,52 +123,57 @@ def fall_between(eta, piece, one, other):
 def valley(sample, places, fallen, length):
     """Samples on both sides of every crossing of a length that is shorter than a half-swing, for a convex arrival.
 
-    Without a crossing there may be none. fallen(one, other): how far V falls from the tip of a sample to the next.
+    Without a crossing there may be none. fallen(low, high): how far V falls between the tips at two places.
     """
-    found = [sample(place) for place in sorted({places[0], places[len(places) // 2], places[-1]})]
+    last = len(places) - 1
+    found = [sample(places[k]) for k in sorted({last // 4, last // 2, last - last // 4})]
     while min(item.arrival for item in found) > length:
-        gap = open_gap(found, fallen, length)
+        gap = open_gap(found, places, fallen, length)
         if gap is None:
             return []
-        found.insert(gap + 1, sample(inner(places, found[gap], found[gap + 1], True)))
-    done, todo = [found[0]], found[:0:-1]
-    while todo:
-        crossed = (done[-1].arrival > length) != (todo[-1].arrival > length)
-        place = inner(places, done[-1], todo[-1], False) if crossed else None
-        if place is None:
-            done.append(todo.pop())
-        else:
-            todo.append(sample(place))
-    return done
+        found.insert(gap, sample(inside(places, *ends_of(found, places, gap))))
+    while found[0].arrival <= length and found[0].place > places[0]:
+        found.insert(0, sample(max(place for place in places if place < found[0].place)))
+    while found[-1].arrival <= length and found[-1].place < places[-1]:
+        found.append(sample(min(place for place in places if place > found[-1].place)))
+    return found
 
 
-def inner(places, one, other, always):
-    """The middle one of the places between two samples; where there is none, half way if ``always``, else None."""
-    inside = [place for place in places if one.place < place < other.place]
-    if inside:
-        return inside[len(inside) // 2]
-    return (one.place + other.place) / 2 if always else None
+def ends_of(found, places, gap):
+    """The places between which a gap lies: before the sample of its number, or behind the last."""
+    return found[gap - 1].place if gap > 0 else places[0], found[gap].place if gap < len(found) else places[-1]
 
 
-def open_gap(found, fallen, length):
-    """The wider gap beside the least sample in which a convex arrival may be no longer than the length, or None."""
+def inside(places, low, high):
+    """The middle one of the places in a gap; where there is none, half way, or its end if that is one of all."""
+    within = [place for place in places if low < place < high]
+    if within:
+        return within[len(within) // 2]
+    return (low + high) / 2
+
+
+def open_gap(found, places, fallen, length):
+    """The gap beside the least sample in which a convex arrival may be least and no longer than the length, or None."""
     least = min(range(len(found)), key=lambda k: found[k].arrival)
-    best, widest = None, 2 * sqrt(epsilon()) * (1 + abs(found[least].place))
-    for gap in (least - 1, least):
-        if 0 <= gap < len(found) - 1:
-            width = found[gap + 1].place - found[gap].place
-            if width > widest and convex_bound(found, gap, fallen) <= (1 + SAFE) * length:
-                best, widest = gap, width
+    best, bound = None, (1 + SAFE) * length
+    for gap in (least, least + 1):
+        low, high = ends_of(found, places, gap)
+        if high - low > 2 * sqrt(epsilon()) * (1 + abs(found[least].place)):
+            lowest = convex_bound(found, gap, fallen(low, high), fallen)
+            if lowest <= bound:
+                best, bound = gap, lowest
     return best
 
 
-def convex_bound(found, gap, fallen):
-    """What a convex arrival is nowhere less than in a gap between samples: the chords beside it, carried on."""
-    one, other = found[gap], found[gap + 1]
-    width, bound = fallen(one, other), -inf
-    for near, far in ((gap, gap - 1), (gap + 1, gap + 2)):
-        if 0 <= far < len(found):
-            beside = fallen(found[min(near, far)], found[max(near, far)])
+def convex_bound(found, gap, width, fallen):
+    """What a convex arrival is nowhere less than in a gap before a sample: the chords beside it, carried on.
+
+    width: how far V falls from one end of the gap to the other.
+    """
+    bound = -inf
+    for near, far in ((gap - 1, gap - 2), (gap, gap + 1)):
+        if min(near, far) >= 0 and max(near, far) < len(found):
+            beside = abs(fallen(found[near].place, found[far].place))
             if beside > 0:
                 steep = (found[far].arrival - found[near].arrival) / beside
                 bound = max(bound, found[near].arrival - max(steep * width, 0))

@@ -129,7 +129,7 @@ def crossings(beta, eta, field_angle, length, piece, most):
         for turns, before, after, beside in brackets(sample, samples, counts, length, sign):
             # At least 2·turns − 1 conjugate points, or one more on the branch that has gone on.
             if (turns or sign > 0) and 2 * turns - (sign < 0) <= most:
-                found.append(crossing(sample, turns, sign, length, before, after, beside))
+                found.append(crossing(sample, turns, sign, length, (before, after, *beside)))
     return found
 
 
@@ -138,22 +138,21 @@ def excess(item, turns, sign, length):
     return (2 * turns * item.swing if turns else 0) + sign * item.arrival - length
 
 
-def crossing(sample, turns, sign, length, before, after, beside):
-    """The crossing between two samples on either side of it; a third one beside them helps to start."""
+def crossing(sample, turns, sign, length, known):
+    """The crossing between the first two samples, on either side of it; those beside them help to start."""
     seen = {}
 
     def function(place):
         seen[place] = sample(place)
         return excess(seen[place], turns, sign, length)
 
-    known = (before, after, beside)
     values = [excess(item, turns, sign, length) for item in known]
     place = bracketed_root(function, [item.place for item in known], values, epsilon() * length)
     return Crossing(seen.get(place) or sample(place), turns, sign, values[1] > values[0])
 
 
 def brackets(sample, samples, counts, length, sign):
-    """(turns, sample, sample, a third) for every whole number that the count crosses between the two samples."""
+    """(turns, sample, sample, those beside) for every whole number that the count crosses between the two samples."""
     found = []
     for k in range(1, len(samples)):
         found += between(samples, counts, k)
@@ -170,7 +169,10 @@ def between(samples, counts, k):
     turns = range(max(ceil(low), 0), max(ceil(high), 0))
     if not turns:
         return []
-    beside = samples[k - 2] if k > 1 else samples[-1] if len(samples) == k + 1 else samples[k + 1]
+    near = 4 * (samples[k].place - samples[k - 1].place)
+    beside = [samples[k - 2]] if k > 1 and samples[k - 1].place - samples[k - 2].place < near else []
+    if k + 1 < len(samples) and samples[k + 1].place - samples[k].place < near:
+        beside.append(samples[k + 1])
     return [(number, samples[k - 1], samples[k], beside) for number in turns]
 
 
@@ -193,4 +195,4 @@ def at_extremum(sample, triple, counts, length, sign):
     best = dip(sample, short, left, middle, right)
     if short(best) >= 0:
         return []
-    return [(goal, left, best, right), (goal, best, right, left)]
+    return [(goal, left, best, [right]), (goal, best, right, [left])]

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arcs import Arc, Point, arc_to
-from derive.emit.kernels.arithmetic import atan2, cos, epsilon, floor, ldexp, pi, pick, sin, sqrt
+from derive.emit.kernels.arcs import Arc, Point, arc_from_far, arc_to, heading_of, phase_from_far, sent_back
+from derive.emit.kernels.arithmetic import atan2, cos, epsilon, floor, ldexp, pick, plus_quarters, sin, sqrt
 from derive.emit.kernels.formulas import (
     before_cosine,
     before_over,
@@ -19,6 +19,7 @@ from derive.emit.kernels.formulas import (
     pair_root,
     pair_root_sum,
     phase_rate,
+    phase_ratio,
     phase_sum,
     point_pole,
     point_speed,
@@ -48,8 +49,8 @@ class Station(NamedTuple):
     away: int
 
 
-def angle_and_position(equilibrium, s):
-    """θ, θ′, y and z at an arc length s from the clamp."""
+def angle_and_position(equilibrium, s, position=True):
+    """θ, θ′, y and z at an arc length s from the clamp; y and z are worth nothing without ``position``."""
     rod, swing = equilibrium.rod, equilibrium.swing
     if swing is None:
         length = ldexp(rod.length, -rod.scale)
@@ -57,13 +58,12 @@ def angle_and_position(equilibrium, s):
         angle = equilibrium.tip_angle - bend * left * (left / length) / 2
         return angle, bend * (left / length), equilibrium.y * share, equilibrium.z * share
     station = station_of(rod, swing, ldexp(s, rod.scale))
-    back = station.whole % 2 == 1
-    angle, speed, arc = on_swing(rod, swing, station)
-    times = station.whole + 1 if back else station.whole
-    sign = -1 if back else 1
-    y = equilibrium.y - ldexp(times * swing.arc.y + sign * arc.y, -rod.scale)
-    z = equilibrium.z - rod.side * ldexp(times * swing.arc.z + sign * arc.z, -rod.scale)
-    return rod.side * (angle + 2 * pi * swing.turns), -rod.side * sign * ldexp(speed, rod.scale), y, z
+    sign = -1 if station.whole % 2 == 1 else 1
+    theta, speed, arc = on_swing(rod, swing, station, position)
+    # Along the tip's direction the rod is as long as it is; only what it departs by from that has been computed.
+    y = s * swing.heading.cosine + ldexp(swing.total.y - station.whole * swing.arc.y - arc.y, -rod.scale)
+    z = s * swing.heading.sine + ldexp(swing.total.z - station.whole * swing.arc.z - arc.z, -rod.scale)
+    return rod.side * theta, -rod.side * sign * ldexp(speed, rod.scale), y, rod.side * z
 
 
 def station_of(rod, swing, s):
@@ -73,7 +73,7 @@ def station_of(rod, swing, s):
     """
     towards_tip = swing.whole % 2 == 0
     ahead = swing.arrival if towards_tip else swing.length - swing.arrival
-    if s < 0 or 2 * s >= rod.length:  # series of bins begin before the clamp
+    if 2 * s >= rod.length:
         whole = floor((rod.length - s) / swing.length)
         return station_at(swing, whole, whole % 2 == 0, rod.length - s - whole * swing.length, s, 0)
     if s <= ahead:
@@ -90,17 +90,20 @@ def station_at(swing, whole, from_tip, length, beside, away):
     return Station(whole, near, far, beside, away)
 
 
-def on_swing(rod, swing, station):
-    """θ, dθ/dσ and the arc from the tip at a point of the first half-swing."""
-    stay, motion = swing.stay, swing.stay.motion
+def on_swing(rod, swing, station, position):
+    """θ, dθ/dσ and the arc from the last turning point, or from the tip, at a point of the first half-swing."""
+    stay = swing.stay
     regular = swing.length - stay.tip - stay.middle - stay.far
-    tip, here, middle, far = parts(station.from_tip, stay.tip, regular, stay.middle)
-    _, left, _, _ = parts(station.from_far, stay.far, regular, stay.middle)
-    angle, speed, arc = regular_part(rod, swing, station, here, left)
-    for straight, extent in ((motion.tip, tip), (swing.middle_angle, middle), (swing.far_angle, far)):
+    _, here, middle, far = parts(station.from_tip, stay.tip, regular, stay.middle)
+    first, left, behind, _ = parts(station.from_far, stay.far, regular, stay.middle)
+    if station.whole % 2 == 1:
+        middle, far = behind, first
+    theta, speed, arc = regular_part(rod, swing, station, here, left, position)
+    for straight, extent in ((swing.middle_angle, middle), (swing.far_angle, far)):
         if extent > 0:
-            arc = Arc(arc.y + extent * cos(straight), arc.z + extent * sin(straight), arc.square)
-    return angle, speed, arc
+            turned_y, turned_z = cos(straight) - swing.heading.cosine, sin(straight) - swing.heading.sine
+            arc = Arc(arc.y + extent * turned_y, arc.z + extent * turned_z, arc.square)
+    return theta, speed, arc
 
 
 def parts(length, stay, regular, middle_stay):
@@ -116,20 +119,42 @@ def parts(length, stay, regular, middle_stay):
     return first, here, middle, max(rest - middle - here, 0)
 
 
-def regular_part(rod, swing, station, here, left):
+def regular_part(rod, swing, station, here, left, position):
     """θ, dθ/dσ and the arc by the motion alone, at its lengths from the tip and from the far turning point."""
-    motion = swing.stay.motion
+    motion, back, arc = swing.stay.motion, station.whole % 2 == 1, Arc(0, 0, 0)
     if here <= epsilon() * left:  # where the square of the phase may underflow
-        return motion.tip, 0 * here, Arc(0, 0, 0)
+        if back and position:
+            _, arc = way_back(rod, swing.heading, motion, 0, 1, left, position)
+        return plus_quarters(motion.tip, 4 * swing.turns), 0 * here, arc
     a, b = motion.end / 2, motion.middle / 2
     if next_to_clamp(swing, station, here, left):
         square, rest = phase_beside(a, b, swing.square, swing.rest, station, here + left)
     else:
         square, rest = phase_at(a, b, here, left)
     point, half, low = point_at(motion, square, rest)
-    arc = arc_to(rod.beta, rod.eta, rod.field_angle, motion, point, square, rest, here)
-    speed = point_speed(point.strength, low, point.one, point.product)
-    return motion.tip + 2 * half, speed, arc
+    theta, speed = motion.tip + 2 * half, point_speed(point.strength, low, point.one, point.product)
+    theta = plus_quarters(theta, 4 * swing.turns)
+    if back or left < here:
+        behind, arc = way_back(rod, swing.heading, motion, square, rest, left, position and back)
+        # The clamp angle is exact, and the turning point is told from there.
+        theta = rod.clamp_angle + (motion.left - 2 * behind) if left < here else theta
+    if position and not back:
+        arc = arc_to(rod.beta, rod.eta, swing.heading, motion, point, square, rest, here)
+    return theta, speed, arc
+
+
+def way_back(rod, heading, motion, square, rest, extent, position):
+    """Half the angle and the arc from the far turning point to a point at ψ, on the way back."""
+    if extent == 0:
+        return 0 * extent, Arc(0, 0, 0)
+    back = sent_back(motion)
+    square, rest = phase_from_far(motion, square, rest)
+    point, half, _ = point_at(back, square, rest)
+    if not position:
+        return half, Arc(0, 0, 0)
+    there = heading_of(-rod.field_angle, back)
+    arc = arc_to(rod.beta, rod.eta, there, back, point, square, rest, extent)
+    return half, arc_from_far(rod.eta, heading, there, arc, extent)
 
 
 def next_to_clamp(swing, station, here, left):
@@ -155,11 +180,12 @@ def phase_beside(a, b, square, rest, station, whole):
 def phase_before(a, b, square, rest, by):
     """sin²ψ and cos²ψ at a length before a known phase; by: those at the length itself."""
     by_square, by_rest = by
-    delta, by_delta = phase_rate(a, b, square, rest), phase_rate(a, b, by_square, by_rest)
+    share = (b / a) * (b / a)
+    ratio, by_ratio = phase_ratio(share, square, rest), phase_ratio(share, by_square, by_rest)
     fall = square - by_square if square < rest else by_rest - rest
-    over = before_over(a, square, rest, by_delta)
-    sine = before_sine(a, square, rest, delta, by_square, by_rest, by_delta, fall)
-    cosine = before_cosine(a, square, rest, delta, by_square, by_rest, by_delta, over)
+    over = before_over(square, rest, by_ratio)
+    sine = before_sine(square, rest, ratio, by_square, by_rest, by_ratio, fall)
+    cosine = before_cosine(square, rest, ratio, by_square, by_rest, by_ratio, over)
     return sine * sine, cosine * cosine
 
 

@@ -9,12 +9,15 @@ def shortened(coefficients, allowed):
     """Polynomials, a column each, of least degree that differ from the given ones by no more than allowed in [−1, 1].
 
     Chebyshev polynomials are at most 1 there, so those of high degree go as long as their coefficients sum to less.
+    The constant terms stay apart: they are large, and would be rounded with every sum.
     """
     of_powers, of_chebyshev = chebyshev(len(coefficients))
-    parts = of_powers.T @ coefficients
+    parts = of_powers[1:].T @ coefficients[1:]
     tails = np.cumsum(abs(parts[::-1]), axis=0).max(axis=1)
     kept = max(2, len(parts) - int(np.searchsorted(tails, allowed, side="right")))
-    return of_chebyshev[:kept, :kept].T @ parts[:kept]
+    short = of_chebyshev[:kept, :kept].T @ parts[:kept]
+    short[0] += coefficients[0]
+    return short
 
 
 def cut(terms, degree):

@@ -8,9 +8,11 @@ from derive.emit.kernels.arithmetic import any_of, atan2, epsilon, hypot, larger
 from derive.emit.kernels.formulas import (
     back_below,
     back_below_rest,
+    back_move,
     back_rest,
     back_square,
     chi_square,
+    gauss_gap,
     gauss_rest,
     gauss_square,
     half_rest,
@@ -73,33 +75,39 @@ def lengths(a, b, square, rest):
 
 def second_kind(a, b, square, rest, arrival):
     """(b² − a²)∫sin²ψ over the same range as ``arrival``, the length, by the same transformation (DLMF 19.8.19)."""
-    limit, more, weight, growth = 2 * epsilon() ** 0.5, any_of(a > 0), 1, 0
+    limit, more, weight, growth = epsilon() ** 0.5, any_of(a > 0), 1, 0
+    gap = a - b
     while more:
-        more = any_of(abs(a - b) > limit * a)
+        more = any_of(abs(gap) > limit * a)
         delta = phase_rate(a, b, square, rest)
-        growth = growth - weight * second_kind_step(a, b, square, rest, delta, arrival)
         total, below = a + b, a + delta
+        growth = growth - weight * second_kind_step(total, gap, below, square, rest, arrival)
         square, rest = gauss_square(square, total, below), gauss_rest(a, b, square, rest, delta, below)
         a, b, weight = total / 2, sqrt(a * b), 2 * weight
+        gap = gauss_gap(gap, a + b)  # a difference would lose what the weight brings out
     return growth
 
 
 def phase_at(a, b, length, left):
     """sin²ψ and cos²ψ at lengths from the tip and from the half-swing's end: the transformation undone."""
-    limit = 2 * epsilon() ** 0.5
-    steps = [(a, b)]
-    while any_of(abs(a - b) > limit * a):
+    limit, gap = 2 * epsilon() ** 0.5, a - b
+    steps = [(a, b, gap)]
+    while any_of(abs(gap) > limit * a):
         a, b = (a + b) / 2, sqrt(a * b)
-        steps.append((a, b))
+        gap = gauss_gap(gap, a + b)
+        steps.append((a, b, gap))
     a, b = (a + b) / 2, sqrt(a * b)
     first = length <= left
     small = sin((a + b) / 2 * pick(first, length, left))
     small = small * small
     square, rest = pick(first, small, 1 - small), pick(first, 1 - small, small)
-    for a, b in reversed(steps):
-        gap = a - b
+    for a, b, gap in reversed(steps):
         below = pick(gap > 0, back_below(a, b, square), back_below_rest(a, b, rest))
-        square, rest = back_square(a, square, below), back_rest(a, b, gap, rest, below)
+        # A small change rounds less than a product; a large one could cancel.
+        move = back_move(a, gap, square, rest, below)
+        little = abs(move) < 0.25 * pick(square < rest, square, rest)
+        far, far_rest = back_square(a, square, below), back_rest(a, b, gap, rest, below)
+        square, rest = pick(little, square + move, far), pick(little, rest - move, far_rest)
         # The larger one is told best by the smaller one, and its rounding would double in each step.
         square, rest = pick(rest < square, 1 - rest, square), pick(rest < square, rest, 1 - square)
     return square, rest

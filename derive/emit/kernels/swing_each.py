@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/swing.py: do not edit, change that file.
 
-Digest of the inputs: sha256 c9629a25178698dbcbea205dce265d46303469a249ce71d8e031752fe7e33dc9
+Digest of the inputs: sha256 6a51d6b06b08a5b585ed700a25ef89fa3bd82ad653bb4f718001e49116c92b42
 """
 
 from __future__ import annotations
@@ -21,9 +21,11 @@ from derive.emit.kernels.array_arithmetic import (
 from derive.emit.kernels.formulas_each import (
     back_below_each,
     back_below_rest_each,
+    back_move_each,
     back_rest_each,
     back_square_each,
     chi_square_each,
+    gauss_gap_each,
     gauss_rest_each,
     gauss_square_each,
     half_rest_beyond_each,
@@ -76,33 +78,39 @@ def lengths_each(a, b, square, rest):
 
 def second_kind_each(a, b, square, rest, arrival):
     """(b² − a²)∫sin²ψ over the same range as ``arrival``, the length, by the same transformation (DLMF 19.8.19)."""
-    limit, more, weight, growth = 2 * epsilon() ** 0.5, any_of(a > 0), 1, 0
+    limit, more, weight, growth = epsilon() ** 0.5, any_of(a > 0), 1, 0
+    gap = a - b
     while more:
-        more = any_of(each_abs(a - b) > limit * a)
+        more = any_of(each_abs(gap) > limit * a)
         delta = phase_rate_each(a, b, square, rest)
-        growth = growth - weight * second_kind_step_each(a, b, square, rest, delta, arrival)
         total, below = a + b, a + delta
+        growth = growth - weight * second_kind_step_each(total, gap, below, square, rest, arrival)
         square, rest = gauss_square_each(square, total, below), gauss_rest_each(a, b, square, rest, delta, below)
         a, b, weight = total / 2, each_sqrt(a * b), 2 * weight
+        gap = gauss_gap_each(gap, a + b)  # a difference would lose what the weight brings out
     return growth
 
 
 def phase_at_each(a, b, length, left):
     """sin²ψ and cos²ψ at lengths from the tip and from the half-swing's end: the transformation undone."""
-    limit = 2 * epsilon() ** 0.5
-    steps = [(a, b)]
-    while any_of(each_abs(a - b) > limit * a):
+    limit, gap = 2 * epsilon() ** 0.5, a - b
+    steps = [(a, b, gap)]
+    while any_of(each_abs(gap) > limit * a):
         a, b = (a + b) / 2, each_sqrt(a * b)
-        steps.append((a, b))
+        gap = gauss_gap_each(gap, a + b)
+        steps.append((a, b, gap))
     a, b = (a + b) / 2, each_sqrt(a * b)
     first = length <= left
     small = each_sin((a + b) / 2 * each_pick(first, length, left))
     small = small * small
     square, rest = each_pick(first, small, 1 - small), each_pick(first, 1 - small, small)
-    for a, b in reversed(steps):
-        gap = a - b
+    for a, b, gap in reversed(steps):
         below = each_pick(gap > 0, back_below_each(a, b, square), back_below_rest_each(a, b, rest))
-        square, rest = back_square_each(a, square, below), back_rest_each(a, b, gap, rest, below)
+        # A small change rounds less than a product; a large one could cancel.
+        move = back_move_each(a, gap, square, rest, below)
+        little = each_abs(move) < 0.25 * each_pick(square < rest, square, rest)
+        far, far_rest = back_square_each(a, square, below), back_rest_each(a, b, gap, rest, below)
+        square, rest = each_pick(little, square + move, far), each_pick(little, rest - move, far_rest)
         # The larger one is told best by the smaller one, and its rounding would double in each step.
         square, rest = each_pick(rest < square, 1 - rest, square), each_pick(rest < square, rest, 1 - square)
     return square, rest

@@ -36,7 +36,8 @@ class Problem:
 class Cell:
     """prepare: makes the call that is timed. answers: from what it gives to what is judged, outside the time.
 
-    limit: the worst error that is no fault. share: of the problem's units that the call does. whole: it does all that
+    limit: the worst error that is no fault. share: of the problem's units that the call does; above 1 where each is
+    solved at once with many others: the time is for one, and is on no front of calls for one. whole: it does all that
     the task asks; what does a part is shown, and is on no front. all_found: it must find all there is.
     """
 

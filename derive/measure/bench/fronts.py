@@ -9,10 +9,19 @@ from derive.measure.bench.families import Record
 
 
 def comparable(record: Record) -> bool:
-    """Whether it does the whole task, and finds all there is and nothing else."""
+    """Whether it does the whole task by itself, and finds all there is and nothing else."""
+    return bool(record["whole"] and complete(record) and not at_once(record))
+
+
+def complete(record: Record) -> bool:
+    """Whether it finds all there is of what it does, and nothing else."""
     errors = record["errors"]
-    complete = errors["worst"] is not None and errors["found"] == errors["of"] and not errors["spurious"]
-    return bool(record["whole"] and complete)
+    return errors["worst"] is not None and errors["found"] == errors["of"] and not errors["spurious"]
+
+
+def at_once(record: Record) -> bool:
+    """Whether its time is a share of that of many problems which are solved at once."""
+    return bool(record["share"] > 1)
 
 
 def point(record: Record) -> tuple[float, float]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from functools import partial
 
-from derive.measure.bench import tables
+from derive.measure.bench import ratios, tables
 from derive.measure.bench.cells import OURS, Cell, Method, Problem, key_of, measure
 from derive.measure.bench.families import Job, Plan, Record
 from derive.measure.bench.methods import methods
@@ -30,12 +30,13 @@ def job(problem: Problem, method: Method, cell: Cell, base: Cell, budget: float)
 
 
 def document(records: Sequence[Record]) -> list[str]:
-    """A table for each problem, with what others do better; and who is missing."""
+    """A table for each problem, with what others do better; ratios to those that are asked for; and who is missing."""
     lines = [tables.PREFACE, ""]
     for problem in dict.fromkeys(record["problem"] for record in records):
         rows = [record for record in records if record["problem"] == problem]
         lines += [*tables.section(rows, module_of(rows[0]["task"]).NOTE), ""]
-    return [*lines, *(f"- {line}" for line in left_out())]
+    compared = [*ratios.section(records), ""]
+    return [*lines, *compared, *(f"- {line}" for line in left_out())]
 
 
 def left_out() -> list[str]:

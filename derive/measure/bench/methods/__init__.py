@@ -13,6 +13,7 @@ from derive.measure.bench.cells import Method
 
 FILES = (
     "emitted",
+    "at_once",
     "article",
     "function_forms",
     "quartic_forms",

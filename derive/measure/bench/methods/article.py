@@ -19,10 +19,11 @@ DOUBLES = 1e-5  # inverse functions at the end of their domain halve the digits
 EXACT, EXACT_DIGITS = 1e-25, 50  # and a logarithm of a quotient near 1 loses some more
 
 
-def given_tip(problem: Problem, module: ModuleType, options: Mapping[str, Any]) -> Callable[[], Call]:
+def given_tip(problem: Problem, emitted: Callable[[], ModuleType], options: Mapping[str, Any]) -> Callable[[], Call]:
     """T1: y and z of the tip, γ and tip angle known."""
 
     def prepare() -> Call:
+        module = emitted()
         known = [(nearest(found_by(module, rod, max_index=0, **options), tip), rod) for rod, tip in problem.inputs]
 
         def call() -> list[Any]:
@@ -34,26 +35,31 @@ def given_tip(problem: Problem, module: ModuleType, options: Mapping[str, Any]) 
     return prepare
 
 
-def shape(problem: Problem, module: ModuleType) -> Callable[[], Call]:
+def shape(problem: Problem, emitted: Callable[[], ModuleType]) -> Callable[[], Call]:
     """T3, with our solution of the rod."""
     rod, tip, s, _ = problem.inputs
-    return lambda: lambda: module.literal(nearest(found_by(module, rod, max_index=0), tip), s)
+
+    def prepare() -> Call:
+        module = emitted()
+        return lambda: module.literal(nearest(found_by(module, rod, max_index=0), tip), s)
+
+    return prepare
 
 
 def numpy_cells(problem: Problem, plan: Plan) -> Iterator[Cell]:
     """On arrays."""
     if plan.emitted and problem.task == "T1":
-        call = given_tip(problem, plan.emitted("literal_numpy"), {})
+        call = given_tip(problem, partial(plan.emitted, "literal_numpy"), {})
         yield Cell("γ and tip given", call, DOUBLES, whole=False)
     if plan.emitted and problem.task == "T3":
-        call = shape(problem, plan.emitted("literal_numpy"))
+        call = shape(problem, partial(plan.emitted, "literal_numpy"))
         yield Cell("our tip", call, DOUBLES, partial(columns, problem))
 
 
 def mpmath_cells(problem: Problem, plan: Plan) -> Iterator[Cell]:
     """At many digits."""
     if plan.emitted and problem.task == "T1" and not plan.quick:
-        call = given_tip(problem, plan.emitted("literal_mpmath"), {"dps": EXACT_DIGITS})
+        call = given_tip(problem, partial(plan.emitted, "literal_mpmath"), {"dps": EXACT_DIGITS})
         yield Cell(f"{EXACT_DIGITS} digits", call, EXACT, whole=False)
 
 

@@ -126,15 +126,14 @@ def fold_system(rod: Rod, eta: float, n: int, at: Array) -> tuple[Array, Array]:
     return residual, jacobian
 
 
-METHODS = (
-    RodSolver(
-        "Chebyshev",
-        solve,
-        settings=(8, 12, 16, 24, 32, 48),
-        quick=(16, 32),
-        spelled=by_number,
-        limit=lambda n: max(10 ** (-0.1 * n), 1e-9),  # geometric in n, slow in long rods, down to some n⁴ roundings
-        tasks=("T1", "T2", "T3", "T4", "T6"),
-        fold=fold,
-    ).method(),
+SOLVER = RodSolver(
+    "Chebyshev",
+    solve,
+    settings=(8, 12, 16, 24, 32, 48),
+    quick=(16, 32),
+    spelled=by_number,
+    limit=lambda n: max(10 ** (-0.1 * n), 1e-9),  # geometric in n, slow in long rods, down to some n⁴ roundings
+    tasks=("T1", "T2", "T3", "T4", "T6"),
+    fold=fold,
 )
+METHODS = (SOLVER.method(),)

@@ -1,0 +1,66 @@
+"""Records: the NamedTuples of a module on a base of its own. Making their classes took most of the time of its import.
+
+The kernels keep NamedTuple, which type checkers know. What is printed is a subclass of ``kernels/records.py: Record``,
+whose values come as one tuple.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterable, Mapping
+
+from derive.emit.errors import EmitError
+from derive.emit.pieces import Piece
+
+RECORD = ("records", "Record")
+
+
+def as_records(names: Iterable[str], pieces: Mapping[str, Piece]) -> None:
+    """Make every NamedTuple among the pieces a record, in place, if there is a base for them, with calls to match."""
+    if RECORD[1] not in pieces:
+        return
+    found = {name: piece for name in names if _is_named_tuple((piece := pieces[name]).node)}
+    for piece in found.values():
+        piece.node.bases = [ast.Name(RECORD[1], ast.Load())]
+        if not all(isinstance(line, (ast.AnnAssign, ast.Expr)) for line in piece.node.body):
+            raise EmitError(f"kernels/{piece.file}.py ({piece.name}): a record has no methods; make them functions")
+        piece.node.body.insert(_is_described(piece.node), ast.parse("__slots__ = ()").body[0])
+        piece.names[RECORD[1]] = RECORD[1]
+    for name in names:
+        pieces[name].node = _Made(pieces[name], found).visit(pieces[name].node)
+
+
+def _is_named_tuple(node: ast.AST) -> bool:
+    return isinstance(node, ast.ClassDef) and [ast.unparse(base) for base in node.bases] == ["NamedTuple"]
+
+
+def _is_described(node: ast.ClassDef) -> bool:
+    return isinstance(node.body[0], ast.Expr)
+
+
+class _Made(ast.NodeTransformer):
+    """Writes Point(x, y) as Point((x, y)), Point(*pair) as Point(pair), and type(point)(*pair) as type(point)(pair)."""
+
+    def __init__(self, piece: Piece, records: Mapping[str, Piece]) -> None:
+        self.piece, self.records = piece, records
+
+    def visit_Call(self, node: ast.Call) -> ast.Call:
+        self.generic_visit(node)
+        lone = node.args[0] if len(node.args) == 1 and not node.keywords else None
+        if isinstance(node.func, ast.Call) and isinstance(node.func.func, ast.Name) and node.func.func.id == "type":
+            node.args = [lone.value] if isinstance(lone, ast.Starred) else node.args
+        elif isinstance(node.func, ast.Name) and node.func.id in self.records:
+            values = lone.value if isinstance(lone, ast.Starred) else ast.Tuple(self._values(node), ast.Load())
+            node.args, node.keywords = [values], []
+        return node
+
+    def _values(self, node: ast.Call) -> list[ast.expr]:
+        """The values in the order of the fields; EmitError if they are not one for each."""
+        record = self.records[node.func.id]  # type: ignore[attr-defined]
+        fields, starred = record.parameters, any(isinstance(one, ast.Starred) for one in node.args)
+        named = {keyword.arg: keyword.value for keyword in node.keywords}
+        rest = () if starred else fields[len(node.args) :]
+        if set(named) != set(rest) or (not starred and len(node.args) > len(fields)):
+            place = f"kernels/{self.piece.file}.py:{getattr(node, 'lineno', 0)} ({self.piece.name})"
+            raise EmitError(f"{place}: {record.name} must be given each of {', '.join(fields)}, once")
+        return [*node.args, *(named[name] for name in rest)]
