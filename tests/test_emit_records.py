@@ -82,7 +82,7 @@ def test_every_record_of_the_kernels_has_its_places():
     for stem, text in read_kernels().items():
         for node in ast.parse(text).body:
             if isinstance(node, ast.ClassDef) and [ast.unparse(base) for base in node.bases] == ["NamedTuple"]:
-                fields = [line for line in node.body if isinstance(line, ast.AnnAssign)]
+                fields: list[Any] = [line for line in node.body if isinstance(line, ast.AnnAssign)]
                 assert len(fields) <= len(Record._places._fields), (stem, node.name)
                 assert all(isinstance(line, (ast.AnnAssign, ast.Expr)) for line in node.body), (stem, node.name)
 
