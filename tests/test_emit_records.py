@@ -128,6 +128,17 @@ def test_a_record_must_be_given_all_its_fields(call):
         written(call)
 
 
+def test_defaults_of_fields_go_into_the_calls():
+    pieces = {
+        "Record": piece("class Record(tuple):\n    pass", "class"),
+        "P": piece("class P(NamedTuple):\n    x: int\n    y: int = 2\n    z: int = 3", "class"),
+        "f": piece("def f(a):\n    return [P(a), P(a, z=a), P(x=a)]", names=("P",)),
+    }
+    as_records(list(pieces), pieces)
+    assert ast.unparse(pieces["f"].node.body[0]) == "return [P((a, 2, 3)), P((a, 2, a)), P((a, 2, 3))]"
+    assert "=" not in ast.unparse(pieces["P"].node).replace("__slots__ =", "")
+
+
 def test_a_record_has_no_methods():
     pieces = {
         "Record": piece("class Record(tuple):\n    pass", "class"),
