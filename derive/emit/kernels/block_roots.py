@@ -113,10 +113,11 @@ def roughly_at(group, brackets, kind):
     return place.astype(float), slope.astype(float)
 
 
-def polished(some, brackets, place, slope, secants):
+def polished(some, brackets, place, slope, secants, ease):
     """The crossings to rounding, by secants from rough ones, and the ranges in which one is not found so.
 
-    some: the group with a row for each; secants: as many before any is looked at for being right to rounding.
+    some: the group with a row for each; secants: as many before any is looked at for being right to rounding; ease: by
+    how much more is taken for rounding after each more.
     """
     least, most = minimum(brackets.left, brackets.right) - 0.01, maximum(brackets.left, brackets.right) + 0.01
     rising = (brackets.value_right > brackets.value_left) == (brackets.right > brackets.left)
@@ -136,7 +137,7 @@ def polished(some, brackets, place, slope, secants):
         step = now / slope[todo]
         if turn >= secants:
             # What is left time and again is rounding of the times themselves.
-            blur = 4 * epsilon() * 2 ** (turn - secants)
+            blur = 4 * epsilon() * ease ** (turn - secants)
             close = (abs(step) <= blur * (1 + abs(at))) | (abs(now) <= blur * extent)
             state = Found(branch.range, at, branch.turns, branch.sign, rising[todo], motion, phase, swing, arrival)
             parts.append(state if close.all() else rows(state, close))

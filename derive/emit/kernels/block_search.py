@@ -31,10 +31,10 @@ from numpy import (
 )
 
 from derive.emit.kernels.arithmetic import pi
+from derive.emit.kernels.block_hits import aimed
 from derive.emit.kernels.block_places import ROUGH_DEPTH, ends, places_of
 from derive.emit.kernels.block_records import joined, rounded_to, rows
 from derive.emit.kernels.block_roots import SECANTS, Brackets, polished, rough_times, roughly_at, surplus
-from derive.emit.kernels.block_shots import aimed
 
 ROUGH_SLOW = 12  # ℓ√(β + η) up to which single precision holds the places of all tips but the most extreme
 WIDE = 0.75  # first step between samples
@@ -85,9 +85,11 @@ def settled(part, which, brackets, place, slope, secants, doubts):
     if not brackets.range.size:
         return [], which[doubts]
     some = rows(part, brackets.range)
+    ease = 2
     if place is None:
         place, slope = roughly_at(some, brackets, brackets.left.dtype)
-    found, lost = polished(some, brackets, place, slope, secants)
+        ease = 1
+    found, lost = polished(some, brackets, place, slope, secants, ease)
     doubtful = concatenate([doubts, lost])
     if not found:
         return [], which[doubtful]

@@ -21,12 +21,9 @@ from numpy import (
     float32,
     isfinite,
     linspace,
-    log,
     maximum,
     minimum,
     nonzero,
-    repeat,
-    sqrt,
     unique,
     where,
     zeros,
@@ -35,7 +32,7 @@ from numpy import (
 from derive.emit.kernels.arithmetic import pi
 from derive.emit.kernels.array_arithmetic import each_atan2, each_cos, each_sin
 from derive.emit.kernels.block_records import rounded_to, rows
-from derive.emit.kernels.block_roots import Brackets, approached, rough_times
+from derive.emit.kernels.block_roots import approached
 
 SHOT_SLOW = 1.2 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
 SHOTS = 384  # rods at once
@@ -44,6 +41,7 @@ STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rod
 FINE = 9  # tips about an extremum
 LOOKS = 4  # each at so many tips nearer to it
 AIMS = 5  # steps towards a zero
+AIM_SPREAD = 1e-6  # distance of two shares from which they tell a slope
 
 
 class Load(NamedTuple):
@@ -127,7 +125,7 @@ def shots_of(rods, size):
     beside, hard = beside_extrema(load, turned)
     which, *ends = (concatenate(pair) for pair in zip(crossed, beside, strict=True))
     some = rows(load, which)
-    share, slope = approached(lambda trial: miss(some, trial), *ends, AIMS, 1e-6)
+    share, slope = approached(lambda trial: miss(some, trial), *ends, AIMS, AIM_SPREAD)
     key = 2 * rods.case[which] + (share > 0)
     order = argsort(key, kind="stable")
     number = bincount(key, minlength=2 * size)
@@ -141,8 +139,8 @@ def sampled_shots(load, slow):
     Brackets have the rod, shares of its reach on either side and what is missed there; extrema have the rod, the
     shares beside, what is missed there, and on which side of zero they are.
     """
-    rough, none, real = rounded_to(load, float32), zeros(0, dtype=int), zeros(0)
-    brackets, extrema_found, lost = [[none, real, real, real, real]], [[none, real, real, real, real, none]], [none]
+    rough, none = rounded_to(load, float32), zeros(0, dtype=int)
+    brackets, turned, lost = [[none, *[zeros(0)] * 4]], [[none, *[zeros(0)] * 4, none]], [none]
     for start in range(0, slow.size, SHOTS):
         here = slice(start, start + SHOTS)
         steps = int(2 * (load.reach[here] * cosh(slow[here])).max() / EVEN)
@@ -151,17 +149,21 @@ def sampled_shots(load, slow):
         lost.append(flatnonzero(~isfinite(values.sum(axis=0))) + start)
         row, which = nonzero((values[1:] > 0) != (values[:-1] > 0))
         brackets.append([which + start, shares[row], shares[row + 1], values[row, which], values[row + 1, which]])
-        grows = values[1:] > values[:-1]
-        row, which = nonzero(grows[1:] != grows[:-1])
-        before, middle, after = (values[row + k, which] for k in range(3))
-        near = abs(middle) < maximum(abs(before - middle), abs(after - middle))
-        near &= (abs(middle) <= abs(before)) & (abs(middle) <= abs(after))
-        near &= ((middle > 0) == (before > 0)) & ((middle > 0) == (after > 0))
-        row, which, before, after = row[near], which[near], before[near], after[near]
-        side = where(middle[near] > 0, 1, -1)
-        extrema_found.append([which + start, shares[row], shares[row + 2], before, after, side])
-    parts = ([concatenate(part) for part in zip(*found, strict=True)] for found in (brackets, extrema_found))
+        turned.append(turned_at(shares, values, start))
+    parts = ([concatenate(part) for part in zip(*found, strict=True)] for found in (brackets, turned))
     return *parts, concatenate(lost)
+
+
+def turned_at(shares, values, start):
+    """The extrema among samples that may reach beyond zero between them."""
+    grows = values[1:] > values[:-1]
+    row, which = nonzero(grows[1:] != grows[:-1])
+    before, middle, after = (values[row + k, which] for k in range(3))
+    near = abs(middle) < maximum(abs(before - middle), abs(after - middle))
+    near &= (abs(middle) <= abs(before)) & (abs(middle) <= abs(after))
+    near &= ((middle > 0) == (before > 0)) & ((middle > 0) == (after > 0))
+    row, which = row[near], which[near]
+    return [which + start, shares[row], shares[row + 2], before[near], after[near], where(middle[near] > 0, 1, -1)]
 
 
 def beside_extrema(load, turned):
@@ -182,40 +184,3 @@ def beside_extrema(load, turned):
     one = which, first, middle, before, side * least
     other = which, middle, last, side * least, after
     return [concatenate(pair)[concatenate([beyond, beyond])] for pair in zip(one, other, strict=True)], which[hard]
-
-
-def aimed(group, shots):
-    """The tips on the ranges of a group: their ranges and branches as brackets, their places, and slopes there."""
-    rods, piece = group.rods, group.piece
-    key = 2 * rods.case + (rods.side < 0)
-    number = shots.number[key]
-    row = repeat(arange(key.size), number)
-    tip = repeat(shots.first[key] - number.cumsum() + number, number) + arange(row.size)
-    drop = -rods.side[row] * shots.offset[tip] - (piece.clamp_gap + 0 * rods.slow)[row]
-    width = piece.width[row]
-    inside = flatnonzero((drop > 0) & (drop < width))
-    row, drop, width, tip = row[inside], drop[inside], width[inside], tip[inside]
-    place, some = log((width - drop) / drop), rows(rods, row)
-    speed = sqrt(2 * level_drop(some, some.side * shots.offset[tip]))
-    slope = -shots.slope[tip] / speed * (width - drop) * drop / width
-    back = turned_back(group, row, place)
-    slope, sign = where(back, -slope, slope), where(back, -1, 1)
-    return Brackets(row, back.astype(float), sign, place - 0.5, place + 0.5, -slope, slope), place, slope
-
-
-def turned_back(group, row, place):
-    """Whether the motions meet the clamp on their way back, on rods that are as long as half-swings may be."""
-    long = flatnonzero(group.rods.slow[row] >= pi)
-    back = zeros(row.shape, dtype=bool)
-    if long.size:
-        some = rows(group, row[long])
-        swing, arrival = rough_times(some.rods, some.piece, place[long])
-        back[long] = abs(2 * swing - arrival - some.rods.length) < abs(arrival - some.rods.length)
-    return back
-
-
-def level_drop(rods, offset):
-    """V(tip) − V(clamp) by the tip's offset from the clamp angle."""
-    middle, half = each_sin(rods.clamp_angle + offset / 2), each_sin(offset / 2)
-    lean = rods.clamp_angle - rods.field_angle + offset / 2
-    return -2 * half * (rods.beta * middle + rods.eta * each_cos(offset / 2) * each_sin(lean) * each_cos(lean))

@@ -150,13 +150,14 @@ def oblique_single(beta, eta, field_angle):
     # Both lie as the well and the hill do with the field as far from the normal of the force as it is here from it.
     steep = field_angle > pi / 4
     lean = pick(steep, -less_quarters(field_angle, 1), field_angle)
-    hill, well = beside_field(beta, eta, lean), beside_force(beta, eta, lean)
-    hill, well = pick_rest(steep, turned_back(well), hill), pick_rest(steep, turned_back(hill), well)
+    across = pick(steep, field_angle, pi / 2 - lean)
+    hill, well = beside_field(beta, eta, lean), beside_force(beta, eta, lean, across)
+    hill, well = pick_rest(steep, rest_turned_back(well), hill), pick_rest(steep, rest_turned_back(hill), well)
     low = rest_of(0, hill)
     return Landscape((low, rest_of(2, well), low._replace(quarters=4, angle=low.angle + 2 * pi)), False, False)
 
 
-def turned_back(rest):
+def rest_turned_back(rest):
     """What is a hill beside 0 with one field is a well beside π with the other, and the reverse."""
     return rest._replace(
         extra=-rest.extra, stiffness=-rest.stiffness, double_cosine=-rest.double_cosine, double_sine=rest.double_sine
@@ -174,10 +175,9 @@ def beside_field(beta, eta, lean):
     return Rest(0, lean - back, 0, beta * cos(lean - back) + eta * cos(2 * back), cos(2 * back), -sin(2 * back))
 
 
-def beside_force(beta, eta, lean):
+def beside_force(beta, eta, lean, most):
     """The well between the normal of the field and the opposite of the force, for the same: by what it is from the
-    nearer one of these."""
-    most = pi / 2 - lean
+    nearer one of these. most: what they are apart."""
     on = side_couple(beta, eta, lean, most / 2) < 0  # whether it is nearer to the normal
     # Under a force no weaker than the field it is no further from its opposite than where both would be level.
     level = pick(on | (beta < eta), most, 2 * lean ** (1 / 3))
@@ -205,17 +205,18 @@ def oblique_double(beta, eta, field_angle):
     hill, well, again = oblique_single(beta, eta, field_angle).rests
     steep = field_angle > pi / 4
     lean = pick(steep, -less_quarters(field_angle, 1), field_angle)
-    low, high = pair_rests(beta, eta, lean)
+    (low, low_over), (high, high_over) = pair_rests(beta, eta, lean)
     if any_of(steep):
         # The same pair, seen from the force's direction a turn on.
-        back = [turned_back(rest) for rest in (high, low)]
-        back = [rest._replace(extra=rest.extra + pi) for rest in back]
-        low, high = (pick_rest(steep, *pair) for pair in zip(back, (low, high), strict=True))
+        first = rest_turned_back(high)._replace(extra=field_angle + high_over)
+        second = rest_turned_back(low)._replace(extra=field_angle + low_over)
+        low, high = pick_rest(steep, first, low), pick_rest(steep, second, high)
     return Landscape((hill, well, rest_of(2, low), rest_of(2, high), again), False, False)
 
 
 def pair_rests(beta, eta, lean):
-    """The pair at π + lean + x, x to either side of the cusp: by what x is from there, or from zero if that is less."""
+    """The pair at π + lean + x, x to either side of the cusp, each with π/2 − x: by what x is from the cusp, or from
+    the nearer end of the quarter."""
     cusp = astroid_cusp(lean)
     place, couple = lean + cusp, couple_beyond(beta, eta, lean, cusp)
     stiffness = couple * cos(place) / sin(place)
@@ -228,9 +229,16 @@ def pair_rests(beta, eta, lean):
     first = rising_root(
         lambda x: pick(near, couple_beyond(beta, eta, lean, x), beside(-x)), pick(near, 0, cusp), pick(near, cusp, 0)
     )
-    low = pair_rest(eta, lean, cusp, pick(near, first, cusp - first), pick(near, first - cusp, -first))
-    last = rising_root(beside, pi / 2 - cusp, 0 * lean)
-    return low, pair_rest(eta, lean, cusp, cusp + last, last)
+    turn = pick(near, first, cusp - first)
+    low = pair_rest(eta, lean, cusp, turn, pick(near, first - cusp, -first)), pi / 2 - turn
+    most = pi / 2 - cusp
+    far = couple_beyond(beta, eta, lean, cusp + most / 2) > 0
+    last = rising_root(
+        lambda x: pick(far, twist(eta, x) - beta * cos(lean - x), beside(x)), pick(far, 0, most), pick(far, most, 0)
+    )
+    beyond = pick(far, most - last, last)
+    high = pair_rest(eta, lean, cusp, cusp + beyond, beyond), pick(far, last, pi / 2 - (cusp + beyond))
+    return low, high
 
 
 def with_shoulder(beta, eta, field_angle, scene):
@@ -242,7 +250,7 @@ def with_shoulder(beta, eta, field_angle, scene):
     stiffness = couple * cos(place) / sin(place)
     shoulder = Rest(2, place, 0, stiffness, cos(2 * cusp), sin(2 * cusp))
     if any_of(steep):
-        back = turned_back(shoulder)
+        back = rest_turned_back(shoulder)
         shoulder = pick_rest(steep, back._replace(extra=back.extra + pi), shoulder)
     return scene._replace(shoulder=rest_of(2, shoulder), moment=couple)
 

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/landscape.py: do not edit, change that file.
 
-Digest of the inputs: sha256 8b409504b54b5af19df3f934e453ff749640de19d8b2d65eb4f03998b748a41c
+Digest of the inputs: sha256 454c6c0936622af8aa3eb805867017a226adeea00f3064caecb99cc296a538b3
 """
 
 from __future__ import annotations
@@ -139,16 +139,17 @@ def oblique_single_each(beta, eta, field_angle):
     # Both lie as the well and the hill do with the field as far from the normal of the force as it is here from it.
     steep = field_angle > pi / 4
     lean = each_pick(steep, -each_less_quarters(field_angle, 1), field_angle)
-    hill, well = beside_field_each(beta, eta, lean), beside_force_each(beta, eta, lean)
+    across = each_pick(steep, field_angle, pi / 2 - lean)
+    hill, well = beside_field_each(beta, eta, lean), beside_force_each(beta, eta, lean, across)
     hill, well = (
-        pick_rest_each(steep, turned_back_each(well), hill),
-        pick_rest_each(steep, turned_back_each(hill), well),
+        pick_rest_each(steep, rest_turned_back_each(well), hill),
+        pick_rest_each(steep, rest_turned_back_each(hill), well),
     )
     low = rest_of_each(0, hill)
     return Landscape((low, rest_of_each(2, well), low._replace(quarters=4, angle=low.angle + 2 * pi)), False, False)
 
 
-def turned_back_each(rest):
+def rest_turned_back_each(rest):
     """What is a hill beside 0 with one field is a well beside π with the other, and the reverse."""
     return rest._replace(
         extra=-rest.extra, stiffness=-rest.stiffness, double_cosine=-rest.double_cosine, double_sine=rest.double_sine
@@ -173,10 +174,9 @@ def beside_field_each(beta, eta, lean):
     )
 
 
-def beside_force_each(beta, eta, lean):
+def beside_force_each(beta, eta, lean, most):
     """The well between the normal of the field and the opposite of the force, for the same: by what it is from the
-    nearer one of these."""
-    most = pi / 2 - lean
+    nearer one of these. most: what they are apart."""
     on = side_couple_each(beta, eta, lean, most / 2) < 0  # whether it is nearer to the normal
     # Under a force no weaker than the field it is no further from its opposite than where both would be level.
     level = each_pick(on | (beta < eta), most, 2 * lean ** (1 / 3))
@@ -211,17 +211,18 @@ def oblique_double_each(beta, eta, field_angle):
     hill, well, again = oblique_single_each(beta, eta, field_angle).rests
     steep = field_angle > pi / 4
     lean = each_pick(steep, -each_less_quarters(field_angle, 1), field_angle)
-    low, high = pair_rests_each(beta, eta, lean)
+    (low, low_over), (high, high_over) = pair_rests_each(beta, eta, lean)
     if any_of(steep):
         # The same pair, seen from the force's direction a turn on.
-        back = [turned_back_each(rest) for rest in (high, low)]
-        back = [rest._replace(extra=rest.extra + pi) for rest in back]
-        low, high = (pick_rest_each(steep, *pair) for pair in zip(back, (low, high), strict=True))
+        first = rest_turned_back_each(high)._replace(extra=field_angle + high_over)
+        second = rest_turned_back_each(low)._replace(extra=field_angle + low_over)
+        low, high = pick_rest_each(steep, first, low), pick_rest_each(steep, second, high)
     return Landscape((hill, well, rest_of_each(2, low), rest_of_each(2, high), again), False, False)
 
 
 def pair_rests_each(beta, eta, lean):
-    """The pair at π + lean + x, x to either side of the cusp: by what x is from there, or from zero if that is less."""
+    """The pair at π + lean + x, x to either side of the cusp, each with π/2 − x: by what x is from the cusp, or from
+    the nearer end of the quarter."""
     cusp = astroid_cusp_each(lean)
     place, couple = lean + cusp, couple_beyond_each(beta, eta, lean, cusp)
     stiffness = couple * each_cos(place) / each_sin(place)
@@ -242,9 +243,18 @@ def pair_rests_each(beta, eta, lean):
         each_pick(near, 0, cusp),
         each_pick(near, cusp, 0),
     )
-    low = pair_rest_each(eta, lean, cusp, each_pick(near, first, cusp - first), each_pick(near, first - cusp, -first))
-    last = rising_root_each(beside, pi / 2 - cusp, 0 * lean)
-    return low, pair_rest_each(eta, lean, cusp, cusp + last, last)
+    turn = each_pick(near, first, cusp - first)
+    low = pair_rest_each(eta, lean, cusp, turn, each_pick(near, first - cusp, -first)), pi / 2 - turn
+    most = pi / 2 - cusp
+    far = couple_beyond_each(beta, eta, lean, cusp + most / 2) > 0
+    last = rising_root_each(
+        lambda x: each_pick(far, twist_each(eta, x) - beta * each_cos(lean - x), beside(x)),
+        each_pick(far, 0, most),
+        each_pick(far, most, 0),
+    )
+    beyond = each_pick(far, most - last, last)
+    high = pair_rest_each(eta, lean, cusp, cusp + beyond, beyond), each_pick(far, last, pi / 2 - (cusp + beyond))
+    return low, high
 
 
 def with_shoulder_each(beta, eta, field_angle, scene):
@@ -256,7 +266,7 @@ def with_shoulder_each(beta, eta, field_angle, scene):
     stiffness = couple * each_cos(place) / each_sin(place)
     shoulder = Rest(2, place, 0, stiffness, each_cos(2 * cusp), each_sin(2 * cusp))
     if any_of(steep):
-        back = turned_back_each(shoulder)
+        back = rest_turned_back_each(shoulder)
         shoulder = pick_rest_each(steep, back._replace(extra=back.extra + pi), shoulder)
     return scene._replace(shoulder=rest_of_each(2, shoulder), moment=couple)
 
