@@ -23,7 +23,7 @@ turn = Symbol("turn", real=True)  # x
 cusp = Symbol("cusp", real=True)  # x where the pair is born
 beside = Symbol("beside", real=True)  # x less that
 # Sines and cosines: of λ/2 and λ, of p, of x or λ + p and half of it, of λ + x, and of what stands beside λ/2.
-lean_half_sine, lean_cosine, gap_sine = symbols("lean_half_sine lean_cosine gap_sine", real=True)
+lean_sine, lean_half_sine, lean_cosine, gap_sine = symbols("lean_sine lean_half_sine lean_cosine gap_sine", real=True)
 turn_sine, turn_half_sine = symbols("turn_sine turn_half_sine", real=True)
 force_sine, side_cosine = symbols("force_sine side_cosine", real=True)
 along, across = symbols("along across", real=True)  # cos and sin of λ + p; of x with sin and cos of the cusp
@@ -59,6 +59,8 @@ def _write_beside_force(moment: Expr, stiff: Expr, writer: Writer) -> None:
     """π − p for the field at λ, p for the field at π/2 − λ."""
     angles = {
         gap_sine: sin(gap),
+        lean_sine: sin(lean),
+        lean_cosine: cos(lean),
         lean_half_sine: sin(lean / 2),
         side_cosine: cos(Add(gap, lean / 2)),
         turn_sine: sin(Add(lean, gap)),
@@ -82,8 +84,8 @@ def _write_beside_force(moment: Expr, stiff: Expr, writer: Writer) -> None:
     )
     writer.add(
         "force_stiffness",
-        (eta, lean, along, across, gap_sine),
-        eta * (sin(lean) * along**3 + cos(lean) * across**3) / gap_sine,
+        (eta, lean_sine, lean_cosine, along, across, gap_sine),
+        eta * (lean_sine * along**3 + lean_cosine * across**3) / gap_sine,
         "−dθ″/dθ at π − p, dθ″/dθ at p, where θ″ vanishes, by cosine and sine of λ + p",
         lambda value: Equal(
             Matrix([-value.subs(angles) * sin(gap), value.subs(angles) * sin(gap)]),

@@ -3,12 +3,12 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 8237e633f96b6b912010997153f1cf91ffa4f8387cfd2aa8e3bcabbf6d73c30f
+Digest of the inputs: sha256 cb9b042a4b9b84488f279287f35eb5bf80fd5c4348d31f9dad809435dff592e9
 """
 
 from __future__ import annotations
 
-from derive.emit.kernels.arithmetic import cos, sin, sqrt
+from derive.emit.kernels.arithmetic import sqrt
 
 
 def rest_stiffness(beta, eta, cosine, double_cosine):
@@ -91,12 +91,12 @@ def force_balance(beta, eta, gap_sine, lean_half_sine, side_cosine, turn_sine, t
     )
 
 
-def force_stiffness(eta, lean, along, across, gap_sine):
+def force_stiffness(eta, lean_sine, lean_cosine, along, across, gap_sine):
     """−dθ″/dθ at π − p, dθ″/dθ at p, where θ″ vanishes, by cosine and sine of λ + p.
 
     Proved as swing.force_stiffness.
     """
-    return eta * (sin(lean) * along * along * along + cos(lean) * across * across * across) / gap_sine
+    return eta * (lean_sine * along * along * along + lean_cosine * across * across * across) / gap_sine
 
 
 def pair_couple(beta, eta, force_sine, lean_half_sine, side_cosine, turn_sine, turn_half_sine):

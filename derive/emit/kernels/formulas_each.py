@@ -3,12 +3,12 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 97a82846ba4c9f40ddc4f89dc390828121cf1b1ce085860c871f1b6beefce85c
+Digest of the inputs: sha256 963ce236d8437760a0945a49bdf5babf7d28de6d08804c117dd93faf983c9e63
 """
 
 from __future__ import annotations
 
-from derive.emit.kernels.array_arithmetic import each_cos, each_sin, each_sqrt
+from derive.emit.kernels.array_arithmetic import each_sqrt
 
 
 def rest_stiffness_each(beta, eta, cosine, double_cosine):
@@ -91,12 +91,12 @@ def force_balance_each(beta, eta, gap_sine, lean_half_sine, side_cosine, turn_si
     )
 
 
-def force_stiffness_each(eta, lean, along, across, gap_sine):
+def force_stiffness_each(eta, lean_sine, lean_cosine, along, across, gap_sine):
     """−dθ″/dθ at π − p, dθ″/dθ at p, where θ″ vanishes, by cosine and sine of λ + p.
 
     Proved as swing.force_stiffness.
     """
-    return eta * (each_sin(lean) * along * along * along + each_cos(lean) * across * across * across) / gap_sine
+    return eta * (lean_sine * along * along * along + lean_cosine * across * across * across) / gap_sine
 
 
 def pair_couple_each(beta, eta, force_sine, lean_half_sine, side_cosine, turn_sine, turn_half_sine):

@@ -189,7 +189,9 @@ def beside_force(beta, eta, lean, most):
     gap, double = pick(on, most - part, part), 2 * pick(on, part, lean + part)
     along, across = pick(on, sin(part), cos(lean + part)), pick(on, cos(part), sin(lean + part))
     weak = 2 * eta < beta  # then it is next to the force, and nothing cancels
-    stiffness = force_stiffness(eta, lean, along, across, pick(weak, 1, larger(sin(gap), epsilon() ** 19)))
+    stiffness = force_stiffness(
+        eta, sin(lean), cos(lean), along, across, pick(weak, 1, larger(sin(gap), epsilon() ** 19))
+    )
     stiffness = pick(weak, beta * cos(gap) - eta * cos(double), stiffness)
     return Rest(2, -gap, 0, -stiffness, cos(double) * pick(on, -1, 1), -sin(double))
 

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/landscape.py: do not edit, change that file.
 
-Digest of the inputs: sha256 454c6c0936622af8aa3eb805867017a226adeea00f3064caecb99cc296a538b3
+Digest of the inputs: sha256 79c6626c72866b57c23f01a35a827f1cc8c2faf0d7a636ce1d4ae1dbce42b018
 """
 
 from __future__ import annotations
@@ -192,7 +192,7 @@ def beside_force_each(beta, eta, lean, most):
     )
     weak = 2 * eta < beta  # then it is next to the force, and nothing cancels
     stiffness = force_stiffness_each(
-        eta, lean, along, across, each_pick(weak, 1, larger(each_sin(gap), epsilon() ** 19))
+        eta, each_sin(lean), each_cos(lean), along, across, each_pick(weak, 1, larger(each_sin(gap), epsilon() ** 19))
     )
     stiffness = each_pick(weak, beta * each_cos(gap) - eta * each_cos(double), stiffness)
     return Rest(2, -gap, 0, -stiffness, each_cos(double) * each_pick(on, -1, 1), -each_sin(double))

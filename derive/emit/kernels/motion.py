@@ -162,7 +162,7 @@ def far_side(eta, piece, rise, drop, depth, done, height):
     turn = pick(by_hill, down - distance, distance)  # far turning point − far_well
     left = pick(by_hill, piece.far_gap - distance, distance - piece.beyond_well)
     if piece.high_kind == "turn":
-        left = larger(beyond_clamp(eta, piece, drop, left), 0)
+        left = larger(beyond_clamp(eta, piece, rise, drop, left), 0)
     if basin.shoulder is not None:
         # V may be so nearly level there that only from the clamp is it told where the motion turns.
         turn, half_width = piece.beyond_well + left, (done + left) / 2
@@ -201,15 +201,16 @@ def reach_either(eta, hill, well, by_hill, amount, most):
     return reach(eta, rest, amount, most, pick(by_hill, -1, 1))
 
 
-def beyond_clamp(eta, piece, drop, rough):
+def beyond_clamp(eta, piece, rise, drop, rough):
     """How far the motion goes beyond the clamp, when the tip is ``drop`` below the one that turns there.
 
     V falls by the same amount on both sides. The rough value is as good as its difference to the clamp's distance
     from a hill or a well allows.
     """
     basin, rest, start, moment = piece.basin, piece.clamp_rest, piece.clamp_offset, 0
-    high = -piece.high_depth
-    amount = fall(eta, basin.well, high - drop, drop)
+    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
+    upper = from_hill < depth
+    amount = fall(eta, pick_rest(upper, basin.hill, basin.well), pick(upper, from_hill, -depth), drop)
     far = rough > 0.25 * abs(start)
     if basin.shoulder is not None:
         apart = wrapped(rest.angle + start - basin.shoulder.angle)

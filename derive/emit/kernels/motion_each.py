@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 4050f66008a716f0a755ce846ddfcb725aabf0e5ad52dcbf5731b5b37740cd27
+Digest of the inputs: sha256 d7f44b2c1977a66285970ae2502080bffbc91b6292b2774611716b03fb7df12a
 """
 
 from __future__ import annotations
@@ -45,16 +45,13 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
     # How far V falls from the tip to the well, or to the level of a ridge that the motion passes.
     change = (drop + piece.level_gap if basin.passes else depth) / 2
     height = fall_from_rest_each(eta, stiffness, double_cosine, double_sine, offset + change, change)
-    # Near the high end the clamp is told from there, else as the tip is: the clamp's own distances are exact.
-    done, apart = piece.clamp_gap + drop, each_pick(upper, piece.past_hill - from_hill, piece.past_well + depth)
-    done = each_pick(done < 0.5 * each_pick(upper, from_hill, each_abs(piece.past_well)), done, apart)
+    done = piece.clamp_gap + drop
     if basin.even:
         half_width = depth + turn_to_each(well, basin.axis)
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
         far_moment, far_distance = near_moment, from_hill
     elif any_of(field_angle == 0) and not basin.passes:
         half_width, left, far_moment, far_distance = parallel_side_each(beta, eta, piece, rise, drop, from_hill, depth)
-        half_width = (done + left) / 2 if piece.high_kind == "turn" else half_width
     else:
         half_width, left, far_moment, far_distance = far_side_each(eta, piece, rise, drop, depth, done, height)
         near_moment = beside_shoulder_each(eta, basin, tip, offset, near_moment)
@@ -147,7 +144,7 @@ def far_side_each(eta, piece, rise, drop, depth, done, height):
     turn = each_pick(by_hill, down - distance, distance)  # far turning point − far_well
     left = each_pick(by_hill, piece.far_gap - distance, distance - piece.beyond_well)
     if piece.high_kind == "turn":
-        left = larger(beyond_clamp_each(eta, piece, drop, left), 0)
+        left = larger(beyond_clamp_each(eta, piece, rise, drop, left), 0)
     if basin.shoulder is not None:
         # V may be so nearly level there that only from the clamp is it told where the motion turns.
         turn, half_width = piece.beyond_well + left, (done + left) / 2
@@ -186,15 +183,16 @@ def reach_either_each(eta, hill, well, by_hill, amount, most):
     return reach_each(eta, rest, amount, most, each_pick(by_hill, -1, 1))
 
 
-def beyond_clamp_each(eta, piece, drop, rough):
+def beyond_clamp_each(eta, piece, rise, drop, rough):
     """How far the motion goes beyond the clamp, when the tip is ``drop`` below the one that turns there.
 
     V falls by the same amount on both sides. The rough value is as good as its difference to the clamp's distance
     from a hill or a well allows.
     """
     basin, rest, start, moment = piece.basin, piece.clamp_rest, piece.clamp_offset, 0
-    high = -piece.high_depth
-    amount = fall_each(eta, basin.well, high - drop, drop)
+    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
+    upper = from_hill < depth
+    amount = fall_each(eta, pick_rest_each(upper, basin.hill, basin.well), each_pick(upper, from_hill, -depth), drop)
     far = rough > 0.25 * each_abs(start)
     if basin.shoulder is not None:
         apart = wrapped_each(rest.angle + start - basin.shoulder.angle)

@@ -1,0 +1,109 @@
+"""Rods whose directions of equilibrium all but merge: β ≈ η beside the force or its normal, and the astroid."""
+
+from __future__ import annotations
+
+import random
+from itertools import pairwise
+from math import atan, cos, pi, sin, sqrt, tan
+
+import kernel_module
+import pytest
+from mpmath import mp, mpf
+
+from derive.emit.kernels.equilibria import all_equilibria
+from derive.emit.kernels.landscape import landscape
+from derive.measure.agreement import natural_size
+from derive.measure.counts import count
+from derive.measure.hard import SIZES, ULP, hardness, wrong_in_kind
+from derive.measure.reference import Rod, solve
+from derive.measure.segments import Load
+from derive.measure.suites import Case
+
+# Solvers were once off by these many bounds: 50, 8, 40 and 6.
+ONCE_OFF = [
+    Rod(2.4302721766809614, 3.8753057206158164, 1.580704486732356, 5.4798047179104055, 1.3281065623067299),
+    Rod(0.3839532844316139, 0.3839534601887917, 0.8816052193177799, 3.141592653484441, -6.663962624344102e-12),
+    Rod(0.5914372585118508, 0.5914372767167682, 13.524285715353868, 2.6662662871386704, 1.6487517190980542e-12),
+]
+
+
+@pytest.mark.parametrize("rod", ONCE_OFF, ids=str)
+def test_rods_beside_merging_directions_keep_their_bounds(rod: Rod) -> None:
+    found = hardness(kernel_module, [Case("", "", rod)], most=1)  # type: ignore[arg-type]  # all that is looked at
+    assert not found.faults
+    assert max(worst.by for worst in found.bounds.values()) <= 1
+
+
+def close_to_each_other(seed: int) -> tuple[float, float, float]:
+    """β, η and α where three directions merge: β ≈ η, and the field next to the force or to its normal.
+
+    Next to the normal α itself is a double, from which π/2 is taken with some 27 digits.
+    """
+    rng = random.Random(seed)
+    beta = 10 ** rng.uniform(-2, 1)
+    field_angle = rng.choice([10 ** rng.uniform(-14, -1), pi / 2 - 10 ** rng.uniform(-9, -1)])
+    return beta, beta * (1 + 10 ** rng.uniform(-14, -1) * rng.choice([-1, 1])), field_angle
+
+
+def test_stiffness_where_three_directions_merge_is_relatively_right() -> None:
+    for seed in range(200):
+        beta, eta, field_angle = close_to_each_other(seed)
+        for rest in landscape(beta, eta, field_angle).rests:
+            with mp.workdps(60):
+                load = Load.of(Rod(beta, eta, 1.0, 0.0, field_angle))
+                angle = mp.findroot(load.moment, rest.quarters * mp.pi / 2 + mpf(rest.extra), tol=1e-80)
+                exact = load.stiffness(angle) * load.scale**2
+                assert abs(mpf(rest.stiffness) / exact - 1) < 16 * ULP, (beta, eta, field_angle)
+                assert abs(rest.double_sine - mp.sin(2 * (angle - mpf(field_angle)))) < 2 * ULP
+
+
+def clamped_where_two_merge(number: int, seed: int) -> list[Rod]:
+    """Clamped within 1e-5 of where hill and well merge, β/η within 1e-10 of where they do."""
+    rng, found = random.Random(seed), []
+    for _ in range(number):
+        angle, beta = rng.uniform(0.05, 1.5), 10 ** rng.uniform(-3, 1)
+        ratio = (sin(angle) ** (2 / 3) + cos(angle) ** (2 / 3)) ** 1.5
+        eta = beta * ratio * (1 + rng.choice([0, 1e-15, 1e-12, 1e-10]) * rng.uniform(-3, 3))
+        clamp = pi + angle + atan(tan(angle) ** (1 / 3)) + rng.choice([0, 1, -1]) * 10 ** rng.uniform(-12, -5)
+        found.append(Rod(beta, eta, rng.uniform(0.3, 8) / sqrt(beta + eta), clamp, angle))
+    return found
+
+
+def test_rods_clamped_where_two_directions_merge() -> None:
+    for counted in count(clamped_where_two_merge(12, 1)):
+        rod = counted.rod
+        found = kernel_module.equilibria(**vars(rod))
+        assert not wrong_in_kind(found, counted.number), rod
+        nearest = min(found, key=lambda one: abs(one.tip_angle - rod.clamp_angle))
+        known = solve(rod, nearest.tip_angle, 24)
+        for name in ("tip_angle", "y", "z", "energy", "clamp_curvature"):
+            error = abs(float(mpf(getattr(nearest, name)) - known.values[name]))
+            # Of the moment there 4 roundings are all that is left.
+            allowed = 2 * SIZES * natural_size(name, rod) + 2 * SIZES * known.sensitivity[name]
+            assert error <= ULP * allowed, (name, rod)
+
+
+@pytest.mark.parametrize("force", [1e-300, 1e-40])
+def test_a_force_far_below_rounding_of_the_field_changes_no_number(force: float) -> None:
+    rng = random.Random(3)
+    for _ in range(30):
+        rod = (1.0, 10 ** rng.uniform(0, 2), rng.uniform(-7, 7), rng.uniform(-4, 4), 4)
+        found, alone = all_equilibria(force, *rod), all_equilibria(0.0, *rod)
+        assert [one.index for one in found] == [one.index for one in alone], rod
+
+
+def test_a_clamp_next_to_a_hill_is_reached_by_no_rod_too_short_for_it() -> None:
+    # The hill is at 3e-33, from where a half-swing lasts longer than the rod.
+    rod = (5.8102882301722235e-12, 8.569508338198982e-43, 56531152.84198661, 0.0, -1.5488759431053776)
+    (one,) = all_equilibria(*rod, None)
+    assert one.index == 0
+    assert abs(one.tip_angle) < 1e-32
+
+
+def test_directions_keep_their_order_up_to_the_astroid() -> None:
+    for away in (1e-15, 1e-12, 1e-8, 1e-4, 1e-1):
+        for angle in (0.02, 0.5, pi / 4, 1.0, 1.55):
+            ratio = (sin(angle) ** (2 / 3) + cos(angle) ** (2 / 3)) ** 1.5
+            rests = landscape(1.0, ratio * (1 + away), angle).rests
+            assert all(one.angle <= other.angle for one, other in pairwise(rests))
+            assert all((rest.stiffness > 0) == (k % 2 == 0) for k, rest in enumerate(rests))
