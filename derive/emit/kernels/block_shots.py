@@ -40,7 +40,7 @@ EVEN = 2.0  # step between tips, over the steepest slope
 STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
 FINE = 9  # tips about an extremum
 LOOKS = 4  # each at so many tips nearer to it
-AIMS = 5  # steps towards a zero
+AIMS = 4  # steps towards a zero
 AIM_SPREAD = 1e-6  # distance of two shares from which they tell a slope
 
 
