@@ -82,7 +82,8 @@ def test_digits_asked_for_are_right(scene: str, digits: int) -> None:
 @pytest.mark.long
 @pytest.mark.parametrize(("digits", "rods_of_each"), DEEP)
 @pytest.mark.parametrize("scene", SCENES)
-def test_up_to_a_thousand_digits(scene: str, digits: int, rods_of_each: int) -> None:
+def test_up_to_a_thousand_digits(scene: str, digits: int, rods_of_each: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(twin(scene), "MOST", FINEST)  # for the finer run beside that with a thousand
     for number in range(rods_of_each):
         check(scene, digits, number)
 
