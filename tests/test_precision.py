@@ -24,7 +24,7 @@ SCENES = sorted(shipped_scenes())
 MORE = 30  # digits of the finer run beyond those tried
 FINEST = 1100  # digits in which the rods are given
 EXACT = 40  # digits of the references, by Taylor integration
-DEEP = [(100, 4), (200, 2), (500, 1), (1000, 1)]  # digits, and rods of each scene
+DEEP = [(100, 2), (200, 1), (500, 1), (1000, 1)]  # digits, and rods of each scene
 
 
 def twin(scene: str) -> ModuleType:

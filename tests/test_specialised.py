@@ -25,7 +25,7 @@ NUMBERS = ("tip_angle", "clamp_curvature", "gamma", "y", "z", "energy")
 LOADS = ("beta", "eta", "length")
 ULP, DIGITS = 2.0**-52, 30
 STEP = 1e-7  # of the inputs, for the condition
-ROUNDINGS = 16  # by which two ways to round may differ, each in some ten operations that count
+ROUNDINGS = 8  # by which two ways to round may differ, each in some ten operations that count
 
 
 def rods(scene: str, count: int) -> list[dict[str, float]]:
