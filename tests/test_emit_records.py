@@ -45,7 +45,8 @@ class Kept(Record):
 @given(st.tuples(st.floats(allow_nan=False), st.integers(), st.text()), st.sampled_from(Named._fields), st.floats(0, 1))
 def test_a_record_is_as_a_named_tuple(values, name, other):
     """Fields, places, equality, hash, text, changed copies; and it goes through a file."""
-    named, record = Named(*values), Kept(values)
+    named: Any = Named(*values)
+    record: Any = Kept(values)
     assert record == named
     assert hash(record) == hash(named)
     assert (record.first, record.second, record.third) == tuple(record) == values
@@ -57,7 +58,7 @@ def test_a_record_is_as_a_named_tuple(values, name, other):
 
 
 def test_a_record_cannot_be_changed():
-    record = Kept((1, 2, 3))
+    record: Any = Kept((1, 2, 3))
     with pytest.raises(AttributeError):
         record.first = 4
     with pytest.raises(AttributeError):
@@ -69,7 +70,8 @@ def test_results_are_records_and_no_module_makes_classes_by_typing():
     assert "NamedTuple" not in vars(parallel_numpy)
     found = parallel_numpy.equilibria(0.5, 0.2, 3.0, 2.0)[0]
     assert repr(found).startswith("Equilibrium(tip_angle=")
-    theta, curvature, y, z = parallel_numpy.shape(found, 3.0)
+    shape: Any = parallel_numpy.shape(found, 3.0)
+    theta, curvature, y, z = shape
     assert (theta, y) == (pytest.approx(found.tip_angle), pytest.approx(found.y))
     assert abs(curvature) < 1e-12
     assert z == pytest.approx(found.z)
@@ -80,14 +82,14 @@ def test_every_record_of_the_kernels_has_its_places():
     for stem, text in read_kernels().items():
         for node in ast.parse(text).body:
             if isinstance(node, ast.ClassDef) and [ast.unparse(base) for base in node.bases] == ["NamedTuple"]:
-                fields = [line for line in node.body if isinstance(line, ast.AnnAssign)]
+                fields: list[Any] = [line for line in node.body if isinstance(line, ast.AnnAssign)]
                 assert len(fields) <= len(Record._places._fields), (stem, node.name)
                 assert all(isinstance(line, (ast.AnnAssign, ast.Expr)) for line in node.body), (stem, node.name)
 
 
 def piece(text, kind="function", names=()):
     """A piece of a module."""
-    node = ast.parse(text).body[0]
+    node: Any = ast.parse(text).body[0]
     fields = tuple(n.target.id for n in node.body if isinstance(n, ast.AnnAssign)) if kind == "class" else ()
     return Piece(node.name, "file", kind, node, names={name: name for name in names}, parameters=fields)
 
@@ -124,6 +126,17 @@ def test_calls_of_a_record(before, after):
 def test_a_record_must_be_given_all_its_fields(call):
     with pytest.raises(EmitError, match="Point must be given each of x, y, once"):
         written(call)
+
+
+def test_defaults_of_fields_go_into_the_calls():
+    pieces = {
+        "Record": piece("class Record(tuple):\n    pass", "class"),
+        "P": piece("class P(NamedTuple):\n    x: int\n    y: int = 2\n    z: int = 3", "class"),
+        "f": piece("def f(a):\n    return [P(a), P(a, z=a), P(x=a)]", names=("P",)),
+    }
+    as_records(list(pieces), pieces)
+    assert ast.unparse(pieces["f"].node.body[0]) == "return [P((a, 2, 3)), P((a, 2, a)), P((a, 2, 3))]"
+    assert "=" not in ast.unparse(pieces["P"].node).replace("__slots__ =", "")
 
 
 def test_a_record_has_no_methods():
@@ -170,7 +183,8 @@ def epsilon():
 )
 def test_helpers_are_written_out(before, after):
     """Where that says no argument of some length twice."""
-    pieces = {node.name: Piece(node.name, "arithmetic", "function", node) for node in ast.parse(HELPERS).body}
+    helpers: list[Any] = ast.parse(HELPERS).body
+    pieces = {node.name: Piece(node.name, "arithmetic", "function", node) for node in helpers}
     pieces["f"] = piece(f"def f(a, b):\n    return {before}")
     write_out(list(pieces), pieces)
     assert expression(pieces["f"].node.body[0]).removeprefix("return ") == after

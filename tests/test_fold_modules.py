@@ -9,6 +9,7 @@ from typing import Any
 
 import mpmath
 import pytest
+from altered import altered
 
 from derive.emit.errors import SceneError
 from derive.emit.kernel_files import read_kernels
@@ -186,16 +187,16 @@ def test_rounded_references_agree(known: FoldList) -> None:
         (lambda f: f[1:], "no fold at η = "),
         (lambda f: [*f, f[0]], "folds that are none, among those at η = "),
         (
-            lambda f: [*f, replace(f[0], eta=f[0].eta / 3), replace(f[0], eta=f[0].eta / 3, change=-2)],
+            lambda f: [*f, altered(f[0], eta=f[0].eta / 3), altered(f[0], eta=f[0].eta / 3, change=-2)],
             "a fold that is none",
         ),
-        (lambda f: [replace(f[0], index=3), *f[1:]], "index 3 instead of"),
-        (lambda f: [replace(f[0], change=-f[0].change), *f[1:]], "change "),
-        (lambda f: [replace(f[0], kind="pitchfork"), *f[1:]], "kind pitchfork instead of fold"),
-        (lambda f: [replace(f[0], eta=f[0].eta * (1 + 1e-12)), *f[1:]], "fold eta is off by"),
-        (lambda f: [replace(f[0], tip_angle=f[0].tip_angle + 1e-9), *f[1:]], "fold tip_angle is off by"),
-        (lambda f: [replace(f[0], y=-f[0].y), *f[1:]], "fold y is off by"),
-        (lambda f: [replace(f[0], z=float("nan")), *f[1:]], "z is nan at the fold"),
+        (lambda f: [altered(f[0], index=3), *f[1:]], "index 3 instead of"),
+        (lambda f: [altered(f[0], change=-f[0].change), *f[1:]], "change "),
+        (lambda f: [altered(f[0], kind="pitchfork"), *f[1:]], "kind pitchfork instead of fold"),
+        (lambda f: [altered(f[0], eta=f[0].eta * (1 + 1e-12)), *f[1:]], "fold eta is off by"),
+        (lambda f: [altered(f[0], tip_angle=f[0].tip_angle + 1e-9), *f[1:]], "fold tip_angle is off by"),
+        (lambda f: [altered(f[0], y=-f[0].y), *f[1:]], "fold y is off by"),
+        (lambda f: [altered(f[0], z=float("nan")), *f[1:]], "z is nan at the fold"),
         (lambda f: f[0] / 0, "folds fail with TypeError"),
     ],
 )
@@ -207,7 +208,7 @@ def test_two_folds_that_no_reference_has_are_refined(known: FoldList) -> None:
     """As if both lay between two samples: they are found to be true, and one more of them is not."""
     first, *rest = known.folds
     fewer = replace(known, folds=tuple(rest))
-    found = [*folds_of(known), replace(folds_of(known)[0], change=-first.change)]
+    found = [*folds_of(known), altered(folds_of(known)[0], change=-first.change)]
     said = reasons(fewer, lambda _: found)
     assert [line for line in said if "change" in line]
     assert not [line for line in said if "none" in line]

@@ -60,10 +60,8 @@ def bound_names(node: ast.AST, parts: Iterable[ast.AST] | None = None) -> set[st
                 found.add(part.id)
         elif isinstance(part, ast.arg):
             found.add(part.arg)
-        elif (isinstance(part, ast.ExceptHandler) and part.name) or (
-            isinstance(part, ast.FunctionDef) and part is not node
-        ):
-            found.add(part.name)
+        elif isinstance(part, ast.ExceptHandler | ast.FunctionDef) and part is not node:
+            found |= {part.name} if part.name else set()
     return found
 
 

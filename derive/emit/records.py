@@ -7,6 +7,7 @@ whose values come as one tuple.
 from __future__ import annotations
 
 import ast
+import copy
 from collections.abc import Iterable, Mapping
 
 from derive.emit.errors import EmitError
@@ -26,8 +27,9 @@ def as_records(names: Iterable[str], pieces: Mapping[str, Piece]) -> None:
             raise EmitError(f"kernels/{piece.file}.py ({piece.name}): a record has no methods; make them functions")
         piece.node.body.insert(_is_described(piece.node), ast.parse("__slots__ = ()").body[0])
         piece.names[RECORD[1]] = RECORD[1]
+    usual = {name: _without_defaults(piece.node) for name, piece in found.items()}
     for name in names:
-        pieces[name].node = _Made(pieces[name], found).visit(pieces[name].node)
+        pieces[name].node = _Made(pieces[name], found, usual).visit(pieces[name].node)
 
 
 def _is_named_tuple(node: ast.AST) -> bool:
@@ -38,11 +40,20 @@ def _is_described(node: ast.ClassDef) -> bool:
     return isinstance(node.body[0], ast.Expr)
 
 
+def _without_defaults(node: ast.ClassDef) -> dict[str, ast.expr]:
+    """The defaults of a record's fields, which go into the calls."""
+    defaults: dict[str, ast.expr] = {}
+    for line in node.body:
+        if isinstance(line, ast.AnnAssign) and line.value is not None:
+            defaults[ast.unparse(line.target)], line.value = line.value, None
+    return defaults
+
+
 class _Made(ast.NodeTransformer):
     """Writes Point(x, y) as Point((x, y)), Point(*pair) as Point(pair), and type(point)(*pair) as type(point)(pair)."""
 
-    def __init__(self, piece: Piece, records: Mapping[str, Piece]) -> None:
-        self.piece, self.records = piece, records
+    def __init__(self, piece: Piece, records: Mapping[str, Piece], usual: Mapping[str, Mapping[str, ast.expr]]) -> None:
+        self.piece, self.records, self.usual = piece, records, usual
 
     def visit_Call(self, node: ast.Call) -> ast.Call:
         self.generic_visit(node)
@@ -58,8 +69,10 @@ class _Made(ast.NodeTransformer):
         """The values in the order of the fields; EmitError if they are not one for each."""
         record = self.records[node.func.id]  # type: ignore[attr-defined]
         fields, starred = record.parameters, any(isinstance(one, ast.Starred) for one in node.args)
-        named = {keyword.arg: keyword.value for keyword in node.keywords}
+        named = {str(keyword.arg): keyword.value for keyword in node.keywords}
         rest = () if starred else fields[len(node.args) :]
+        usual = self.usual[record.name]
+        named = {name: copy.deepcopy(usual[name]) for name in rest if name in usual} | named
         if set(named) != set(rest) or (not starred and len(node.args) > len(fields)):
             place = f"kernels/{self.piece.file}.py:{getattr(node, 'lineno', 0)} ({self.piece.name})"
             raise EmitError(f"{place}: {record.name} must be given each of {', '.join(fields)}, once")

@@ -10,6 +10,7 @@ import ast
 import copy
 from collections import Counter
 from collections.abc import Iterable, Mapping
+from typing import Any
 
 from derive.emit.pieces import Piece
 
@@ -45,8 +46,10 @@ class _Writer(ast.NodeTransformer):
         if helper is None or node.keywords or len(node.args) != len(helper.args.args):
             return node
         given = dict(zip((one.arg for one in helper.args.args), node.args, strict=True))
-        body = copy.deepcopy(_expression(helper))
-        times = Counter(n.id for n in ast.walk(body) if isinstance(n, ast.Name))  # type: ignore[arg-type]
+        body: Any = copy.deepcopy(_expression(helper))
+        for part in ast.walk(body):  # else its lines would be taken for those of the file where the call stands
+            ast.copy_location(part, node)
+        times = Counter(n.id for n in ast.walk(body) if isinstance(n, ast.Name))
         if any(times[name] > 1 and not _is_short(argument) for name, argument in given.items()):
             return node
         return _Filler(given).visit(body)
@@ -56,7 +59,7 @@ class _Writer(ast.NodeTransformer):
         self.generic_visit(node)
         test = node.operand
         if isinstance(node.op, ast.Not) and isinstance(test, ast.Compare) and isinstance(test.ops[0], ast.NotEq):
-            return ast.Compare(test.left, [ast.Eq()], test.comparators)
+            return ast.copy_location(ast.Compare(test.left, [ast.Eq()], test.comparators), node)
         return node
 
 

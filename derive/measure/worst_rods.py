@@ -23,6 +23,8 @@ ATLAS = (
     (0.6, 0.0, 6.0, 3.6610231870869936, 0.0, "the energy of a rod in a force alone"),
     (0.046415888336127725, 1e4, 1.0, 3 * pi / 4, GENERIC, "the energy of a long rod"),
     (1e4, 2.1544346900318822e-07, 1.0, 3 * pi / 4, 0.0, "the energy of a long rod"),
+    (2.1544346900318822e-07, 0.046415888336127725, 1.0, 3 * pi / 4, GENERIC, "the energy of a short rod"),
+    (1e-300, 1e-12, 1.0, 3 * pi / 4, GENERIC, "the energy of a short rod"),
 )
 
 # β, η, length, clamp, field angle of random rods that were off by more than a bound once, and what lost the digits.

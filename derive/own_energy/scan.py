@@ -61,23 +61,22 @@ def shoot(couple: Trigonometric, rod: Any, tips: Array) -> tuple[Array, Array]:
     return state[0], state[4]
 
 
-def expanded(bend: Trigonometric, stiff: Trigonometric, state: list[Array]) -> tuple[list[Array], ...]:
-    """Taylor coefficients of θ, θ_σ, cos θ, sin θ, h, h_σ about a state."""
-    angle, rate, c, s, h, h_rate = series = tuple([part] for part in state)
-    of: dict[tuple[int, int], list[Array]] = {(1, 0): c, (0, 1): s}
+def expanded(bend: Trigonometric, stiff: Trigonometric, state: list[Array]) -> Array:
+    """Taylor coefficients of θ, θ_σ, cos θ, sin θ, h, h_σ about a state: a row for each order."""
+    series = np.zeros((6, ORDER + 1, len(state[0])))
+    series[:, 0] = state
+    angle, rate, c, s, h, h_rate = series
+    of: dict[tuple[int, int], Array] = {(1, 0): c, (0, 1): s}
     powers = sorted({(k, j) for i, j in (*bend, *stiff) for k in range(i + 1)} - set(of))
-    stiffness: list[Array] = []
+    of |= {at: np.zeros_like(c) for at in powers}
+    stiffness = np.zeros_like(c)
     for k in range(ORDER):
+        n = k + 1
         for i, j in powers:
-            one = np.full_like(state[0], k == 0)
-            of.setdefault((i, j), []).append(convolve(of[i - 1, j], c, k) if i else one)
-        stiffness.append(sum((value * of[at][k] for at, value in stiff.items()), start=0 * state[0]))
+            of[i, j][k] = convolve(of[i - 1, j], c, k) if i else k == 0
+        stiffness[k] = sum((value * of[at][k] for at, value in stiff.items()), start=0 * state[0])
         couple = sum((value * of[at][k] for at, value in bend.items()), start=0 * state[0])
-        angle.append(rate[k] / (k + 1))
-        h.append(h_rate[k] / (k + 1))
         turn_s, turn_c = convolve(c, rate, k), convolve(s, rate, k)
-        h_rate.append(convolve(stiffness, h, k) / (k + 1))
-        rate.append(couple / (k + 1))
-        s.append(turn_s / (k + 1))
-        c.append(-turn_c / (k + 1))
+        angle[n], h[n], s[n], c[n], rate[n] = rate[k] / n, h_rate[k] / n, turn_s / n, -turn_c / n, couple / n
+        h_rate[n] = convolve(stiffness, h, k) / n
     return series

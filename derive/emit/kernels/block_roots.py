@@ -88,16 +88,20 @@ def approached(function, left, right, value_left, value_right, steps, spread):
         a, value_a = trial, value
         near, value_near = where(abs(a - b) < abs(a - c), b, c), where(abs(a - b) < abs(a - c), value_b, value_c)
         slope = where(abs(near - a) > spread, (value_near - value_a) / (near - a), slope)
-        fraction = inverse_quadratic(a, b, c, value_a, value_b, value_c)
-    return a + fraction * (b - a), slope
+        fraction, safe = inverse_quadratic(a, b, c, value_a, value_b, value_c)
+    # No half way at last: the latest place may be the zero itself.
+    step = minimum(maximum(value_a / (slope * (a - b)), 0), 1)
+    return a + where(safe, fraction, where(value_a == 0, 0, step)) * (b - a), slope
 
 
 def inverse_quadratic(a, b, c, value_a, value_b, value_c):
-    """Where on the way from a to b inverse quadratic interpolation puts the zero, or half way where it is unsafe."""
+    """Where on the way from a to b inverse quadratic interpolation puts the zero, half way where it is unsafe; is it
+    safe."""
     x, y = (a - b) / (c - b), (value_a - value_b) / (value_c - value_b)
     share = value_a / (value_b - value_a) * value_c / (value_b - value_c)
     share = share + (c - a) / (b - a) * value_a / (value_c - value_a) * value_b / (value_c - value_b)
-    return where((y * y < x) & ((1 - y) * (1 - y) < 1 - x) & (share > 0) & (share < 1), share, a.dtype.type(0.5))
+    safe = (y * y < x) & ((1 - y) * (1 - y) < 1 - x) & (share > 0) & (share < 1)
+    return where(safe, share, a.dtype.type(0.5)), safe
 
 
 def roughly_at(group, brackets, kind):
@@ -123,7 +127,7 @@ def polished(some, brackets, place, slope, secants, ease):
     rising = (brackets.value_right > brackets.value_left) == (brackets.right > brackets.left)
     todo = flatnonzero((brackets.value_left > 0) != (brackets.value_right > 0))
     value, before, parts = full(place.shape, nan), place.copy(), []
-    for turn in range(secants + 6):
+    for turn in range(8):
         here, branch = (some, brackets) if todo.size == place.size else rows((some, brackets), todo)
         at, extent = place[todo], here.rods.length
         motion = motion_at_each(here.rods.beta, here.rods.eta, here.rods.field_angle, here.piece, at)
@@ -137,7 +141,7 @@ def polished(some, brackets, place, slope, secants, ease):
         step = now / slope[todo]
         if turn >= secants:
             # What is left time and again is rounding of the times themselves.
-            blur = 4 * epsilon() * ease ** (turn - secants)
+            blur = 4 * epsilon() * ease ** max(turn - 1, 0)
             close = (abs(step) <= blur * (1 + abs(at))) | (abs(now) <= blur * extent)
             state = Found(branch.range, at, branch.turns, branch.sign, rising[todo], motion, phase, swing, arrival)
             parts.append(state if close.all() else rows(state, close))

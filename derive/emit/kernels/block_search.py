@@ -40,7 +40,7 @@ ROUGH_SLOW = 12  # ℓ√(β + η) up to which single precision holds the places
 WIDE = 0.75  # first step between samples
 CLOSER = 0.25  # the same where those leave a doubt
 FINER = linspace(0, 1, 17)  # shares of the way from one sample to the next but one
-HITS = 1  # as ``SECANTS``, for tips that are known nearly to rounding
+HITS = 0  # as ``SECANTS``, for tips that are known nearly to rounding
 RANGES = 1024  # ranges at once: arrays that stay in the cache
 
 

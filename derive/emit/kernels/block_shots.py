@@ -35,12 +35,12 @@ from derive.emit.kernels.block_records import rounded_to, rows
 from derive.emit.kernels.block_roots import approached
 
 SHOT_SLOW = 1.2 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
-SHOTS = 384  # rods at once
+SHOTS = 512  # rods at once
 EVEN = 2.0  # step between tips, over the steepest slope
 STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
 FINE = 9  # tips about an extremum
 LOOKS = 4  # each at so many tips nearer to it
-AIMS = 5  # steps towards a zero
+AIMS = 4  # steps towards a zero
 AIM_SPREAD = 1e-6  # distance of two shares from which they tell a slope
 
 
@@ -123,9 +123,9 @@ def shots_of(rods, size):
     load = load_of(rods)
     crossed, turned, unsure = sampled_shots(load, rods.slow)
     beside, hard = beside_extrema(load, turned)
-    which, *ends = (concatenate(pair) for pair in zip(crossed, beside, strict=True))
+    which, left, right, before, after = (concatenate(pair) for pair in zip(crossed, beside, strict=True))
     some = rows(load, which)
-    share, slope = approached(lambda trial: miss(some, trial), *ends, AIMS, AIM_SPREAD)
+    share, slope = approached(lambda trial: miss(some, trial), left, right, before, after, AIMS, AIM_SPREAD)
     key = 2 * rods.case[which] + (share > 0)
     order = argsort(key, kind="stable")
     number = bincount(key, minlength=2 * size)

@@ -12,11 +12,11 @@ from derive.emit.kernels.arcs_each import (
     clamp_point_each,
     far_point_each,
     heading_of_each,
-    phase_from_far_each,
     sent_back_each,
 )
 from derive.emit.kernels.arithmetic import pi
 from derive.emit.kernels.block_records import rows
+from derive.emit.kernels.swing_each import phase_of_each
 
 
 class Columns(NamedTuple):
@@ -111,10 +111,9 @@ def first_stretches(rods, heading, found):
 def last_stretches(rods, heading, found):
     """The arcs from the last turning point to the clamp, of rods that end on their way back."""
     back, extent = sent_back_each(found.motion), found.swing - found.arrival
-    there = heading_of_each(-rods.field_angle, back)
-    square, rest = phase_from_far_each(found.motion, found.phase.square, found.phase.rest)
-    point = clamp_point_each(back, found.phase._replace(square=square, rest=rest))
-    arc = arc_to_each(rods.beta, rods.eta, there, back, point, square, rest, extent)
+    there, phase = heading_of_each(-rods.field_angle, back), phase_of_each(back)
+    point = clamp_point_each(back, phase)
+    arc = arc_to_each(rods.beta, rods.eta, there, back, point, phase.square, phase.rest, extent)
     return arc_from_far_each(rods.eta, heading, there, arc, extent)
 
 

@@ -12,7 +12,6 @@ from derive.emit.kernels.arcs import (
     clamp_point,
     far_point,
     heading_of,
-    phase_from_far,
     sent_back,
 )
 from derive.emit.kernels.arithmetic import (
@@ -31,6 +30,7 @@ from derive.emit.kernels.arithmetic import (
 from derive.emit.kernels.landscape import landscape, mirror_landscape
 from derive.emit.kernels.pieces import clamp_in, pieces
 from derive.emit.kernels.search import Stay, crossings
+from derive.emit.kernels.swing import phase_of
 
 
 class Rod(NamedTuple):
@@ -181,7 +181,7 @@ def bent_rod(rod, turns, piece, crossing, index):
         part = arc_to(beta, eta, heading, motion, clamp_point(motion, phase), phase.square, phase.rest, arrival)
         part = with_stays(rod, heading, part, basin, stay.arrival, 0)
     else:
-        part = last_stretch(rod, heading, motion, phase, swing - arrival)
+        part = last_stretch(rod, heading, motion, swing - arrival)
         part = with_stays(rod, heading, part, basin, stay.middle - stay.arrival, stay.far)
     through = both if sign > 0 else both - 1
     arc = Arc(*(float(through * a + b) for a, b in zip(whole, part, strict=True)))
@@ -220,12 +220,11 @@ def bent_rod(rod, turns, piece, crossing, index):
     )
 
 
-def last_stretch(rod, heading, motion, phase, extent):
+def last_stretch(rod, heading, motion, extent):
     """The arc from the last turning point to the clamp, of a rod that ends on its way back; extent: its length."""
     back = sent_back(motion)
-    there, (square, rest) = heading_of(-rod.field_angle, back), phase_from_far(motion, phase.square, phase.rest)
-    point = clamp_point(back, phase._replace(square=square, rest=rest))
-    arc = arc_to(rod.beta, rod.eta, there, back, point, square, rest, extent)
+    there, phase = heading_of(-rod.field_angle, back), phase_of(back)
+    arc = arc_to(rod.beta, rod.eta, there, back, clamp_point(back, phase), phase.square, phase.rest, extent)
     return arc_from_far(rod.eta, heading, there, arc, extent)
 
 

@@ -63,13 +63,16 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     # How far V falls from the tip to the well, or to the level of a ridge that the motion passes.
     change = (drop + piece.level_gap if basin.passes else depth) / 2
     height = fall_from_rest(eta, stiffness, double_cosine, double_sine, offset + change, change)
-    done = piece.clamp_gap + drop
+    # Near the high end the clamp is told from there, else as the tip is: the clamp's own distances are exact.
+    done, apart = piece.clamp_gap + drop, pick(upper, piece.past_hill - from_hill, piece.past_well + depth)
+    done = pick(done < 0.5 * pick(upper, from_hill, abs(piece.past_well)), done, apart)
     if basin.even:
         half_width = depth + turn_to(well, basin.axis)
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
         far_moment, far_distance = near_moment, from_hill
     elif any_of(field_angle == 0) and not basin.passes:
         half_width, left, far_moment, far_distance = parallel_side(beta, eta, piece, rise, drop, from_hill, depth)
+        half_width = (done + left) / 2 if piece.high_kind == "turn" else half_width
     else:
         half_width, left, far_moment, far_distance = far_side(eta, piece, rise, drop, depth, done, height)
         near_moment = beside_shoulder(eta, basin, tip, offset, near_moment)

@@ -56,6 +56,8 @@ class Piece(NamedTuple):
     clamp_offset: float  # clamp − that direction
     far_gap: float  # far − clamp
     beyond_well: float  # clamp − far_well
+    past_hill: float  # clamp − hill
+    past_well: float  # clamp − well
 
 
 class Clamp(NamedTuple):
@@ -356,4 +358,4 @@ def piece_of(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_ga
             rest, offset = pick_rest(closer, other, rest), pick(closer, distance, offset)
     beyond, last = at[len(rests) - 2 : len(rests)]
     ends = low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap
-    return Piece(basin, *ends, rest, offset, -last, beyond)
+    return Piece(basin, *ends, rest, offset, -last, beyond, at[0], at[1])

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/pieces.py: do not edit, change that file.
 
-Digest of the inputs: sha256 a949c7a949d6edb9904a6d5a3c57939d8b25352d56effcf72a457ce6d6d3c9e5
+Digest of the inputs: sha256 3cffeb4a735b4a998de80a4a7370766d3b11d91c20d21391edf39f8544a4d015
 """
 
 from __future__ import annotations
@@ -304,4 +304,4 @@ def piece_of_each(basin, low_kind, high_kind, low_offset, width, high_depth, cla
             rest, offset = pick_rest_each(closer, other, rest), each_pick(closer, distance, offset)
     beyond, last = at[len(rests) - 2 : len(rests)]
     ends = low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap
-    return Piece(basin, *ends, rest, offset, -last, beyond)
+    return Piece(basin, *ends, rest, offset, -last, beyond, at[0], at[1])

@@ -9,7 +9,8 @@ class Record(tuple):
     """A tuple whose fields have names: the annotations of its class, in order. Made from a tuple of all its values."""
 
     __slots__ = ()
-    _places = namedtuple("Places", [f"place_{k}" for k in range(16)])  # no record has more fields
+    _fields: tuple[str, ...]
+    _places = namedtuple("_places", "a b c d e f g h i j k l m n o p")  # no record has more fields
 
     def __init_subclass__(cls):
         """Give every field its place; what reads a place is taken from one named tuple."""

@@ -124,7 +124,7 @@ def regular_part(rod, swing, station, here, left, position):
     motion, back, arc = swing.stay.motion, station.whole % 2 == 1, Arc(0, 0, 0)
     if here <= epsilon() * left:  # where the square of the phase may underflow
         if back and position:
-            _, arc = way_back(rod, swing.heading, motion, 0, 1, left, position)
+            _, arc = way_back(rod, swing.heading, motion, (1, 0), left, position)
         return plus_quarters(motion.tip, 4 * swing.turns), 0 * here, arc
     a, b = motion.end / 2, motion.middle / 2
     if next_to_clamp(swing, station, here, left):
@@ -135,7 +135,9 @@ def regular_part(rod, swing, station, here, left, position):
     theta, speed = motion.tip + 2 * half, point_speed(point.strength, low, point.one, point.product)
     theta = plus_quarters(theta, 4 * swing.turns)
     if back or left < here:
-        behind, arc = way_back(rod, swing.heading, motion, square, rest, left, position and back)
+        # So near the far turning point that cos²ψ underflows the lengths tell more.
+        phase = phase_from_far(motion, square, rest) if rest > epsilon() ** 12 else phase_at(a, b, left, here)
+        behind, arc = way_back(rod, swing.heading, motion, phase, left, position and back)
         # The clamp angle is exact, and the turning point is told from there.
         theta = rod.clamp_angle + (motion.left - 2 * behind) if left < here else theta
     if position and not back:
@@ -143,12 +145,11 @@ def regular_part(rod, swing, station, here, left, position):
     return theta, speed, arc
 
 
-def way_back(rod, heading, motion, square, rest, extent, position):
-    """Half the angle and the arc from the far turning point to a point at ψ, on the way back."""
+def way_back(rod, heading, motion, phase, extent, position):
+    """Half the angle and the arc from the far turning point to a point, by sin²ψ and cos²ψ from there."""
     if extent == 0:
         return 0 * extent, Arc(0, 0, 0)
-    back = sent_back(motion)
-    square, rest = phase_from_far(motion, square, rest)
+    back, (square, rest) = sent_back(motion), phase
     point, half, _ = point_at(back, square, rest)
     if not position:
         return half, Arc(0, 0, 0)
