@@ -15,6 +15,7 @@ from derive.measure.reference import Rod
 
 # How near an exchange must be to one of the references, as a share of β + η, to be compared with it.
 NEAR = 1e-4
+KINDS = ("index", "kind")
 Range = tuple[float, float]
 
 
@@ -59,7 +60,8 @@ def compare_exchanges(
         enter_exchange(result, rod, nearest, reference, unit)
     for point in rest:
         try:
-            enter_exchange(result, rod, point, refined(rod, *(float(value) for value in point[:3])), unit)
+            near = refined(rod, float(point.beta), float(point.eta), float(point.tip_angle))
+            enter_exchange(result, rod, point, near, unit)
         except NoFoldError as error:
             result.faults.append(f"an exchange that is none: {error}")
 
@@ -76,9 +78,6 @@ def enter_exchange(result: Agreement, rod: Rod, point: Any, reference: ExchangeR
     sizes = dict.fromkeys(QUANTITIES, rod.length) | {"beta": beta + eta, "eta": beta + eta}
     sizes |= {"tip_angle": 1.0, "clamp_curvature": sqrt(beta + eta)}
     enter_point(result, "exchange", f"{place(reference.values)}, {where(rod)}", point, reference, KINDS, sizes, unit)
-
-
-KINDS = ("index", "kind")
 
 
 def place(values: Any) -> str:

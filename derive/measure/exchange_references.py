@@ -27,6 +27,7 @@ ROWS = 12  # of η
 SAMPLES = 96  # of β in a row
 PARTS, ZOOMS = 12, 2  # by which a fold is narrowed down
 ROUGHLY = 16  # digits of the derivatives at it
+FURTHEST = 0.1  # by which β and η may leave a first guess, as a share of their sum
 NEAR = 0.5  # two folds of neighbouring rows whose tip angles differ by more are not of one branch
 UNKNOWNS = ("beta", "eta", "tip_angle")
 QUANTITIES = (*UNKNOWNS, "clamp_curvature", "y", "z")
@@ -149,7 +150,8 @@ def refined(
             except ZeroDivisionError as error:
                 raise NoFoldError(f"no two folds meet simply near β = {beta:g}, η = {eta:g} for {rod}") from error
             unknowns = [old - change for old, change in zip(unknowns, step, strict=True)]
-            if unknowns[0] < 0 or unknowns[1] < 0 or abs(unknowns[2] - start[2]) > 0.5:
+            away = max(abs(new - old) for new, old in zip(unknowns[:2], start[:2], strict=True))
+            if away > FURTHEST * (start[0] + start[1]) or abs(unknowns[2] - start[2]) > NEAR:
                 raise NoFoldError(f"no two folds meet near β = {beta:g}, η = {eta:g} for {rod}")
             if max(abs(change) for change in step) < mpf(10) ** -(DIGITS // 2 + 4):
                 break
