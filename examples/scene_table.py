@@ -35,9 +35,9 @@ def texts() -> dict[str, str]:
 
 def sizes(modules: Mapping[str, str]) -> list[str]:
     """The columns that do not depend on a machine, as the rows of the table begin."""
-    rows = []
-    for name, text in modules.items():
-        here, whole = size(text), size(modules[f"{FULL}_{name.rsplit('_', 1)[1]}"])
+    rows, found = [], {name: size(text) for name, text in modules.items()}
+    for name, here in found.items():
+        whole = found[f"{FULL}_{name.rsplit('_', 1)[1]}"]
         share = f"{100 * here.bytes / whole.bytes:.0f} %"
         rows.append(f"| {name} | {here.functions} | {here.lines:,} | {here.bytes:,} | {share} |")
     return rows

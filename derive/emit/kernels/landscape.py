@@ -224,8 +224,9 @@ def pair_rests(beta, eta, lean):
     stiffness = couple * cos(place) / sin(place)
 
     def beside(u):
-        sines = sin(u / 2), sin(u / 4), sin(3 * u / 4), sin(2 * cusp + u / 4), sin(2 * cusp + 3 * u / 4)
-        return cusp_couple(beta, eta, couple, stiffness, *sines, sin(place + u / 4))
+        first, second = sin(2 * cusp + u / 4), sin(2 * cusp + 3 * u / 4)
+        force_sine, third = sin(place + u / 4), sin(3 * u / 4)
+        return cusp_couple(beta, eta, couple, stiffness, sin(u / 2), sin(u / 4), third, first, second, force_sine)
 
     near = couple_beyond(beta, eta, lean, cusp / 2) > 0
     first = rising_root(
@@ -266,8 +267,9 @@ def pair_rest(eta, lean, cusp, turn, beside):
 
 def couple_beyond(beta, eta, lean, turn):
     """The couple on a rod at π + lean + turn, greatest at the cusp; of a weak force as it stands."""
-    known = sin(lean + turn), sin(lean / 2), cos(turn + lean / 2), sin(turn), sin(turn / 2)
-    return pick(2 * beta < eta, twist(eta, turn) - beta * known[0], pair_couple(beta, eta, *known))
+    across = sin(lean + turn)
+    couple = pair_couple(beta, eta, across, sin(lean / 2), cos(turn + lean / 2), sin(turn), sin(turn / 2))
+    return pick(2 * beta < eta, twist(eta, turn) - beta * across, couple)
 
 
 def pick_rest(condition, yes, no):

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/landscape.py: do not edit, change that file.
 
-Digest of the inputs: sha256 79c6626c72866b57c23f01a35a827f1cc8c2faf0d7a636ce1d4ae1dbce42b018
+Digest of the inputs: sha256 39029ea274728f7960a034bb514c4aa07749506e55be3660970086d967174f35
 """
 
 from __future__ import annotations
@@ -228,14 +228,11 @@ def pair_rests_each(beta, eta, lean):
     stiffness = couple * each_cos(place) / each_sin(place)
 
     def beside(u):
-        sines = (
-            each_sin(u / 2),
-            each_sin(u / 4),
-            each_sin(3 * u / 4),
-            each_sin(2 * cusp + u / 4),
-            each_sin(2 * cusp + 3 * u / 4),
+        first, second = each_sin(2 * cusp + u / 4), each_sin(2 * cusp + 3 * u / 4)
+        force_sine, third = each_sin(place + u / 4), each_sin(3 * u / 4)
+        return cusp_couple_each(
+            beta, eta, couple, stiffness, each_sin(u / 2), each_sin(u / 4), third, first, second, force_sine
         )
-        return cusp_couple_each(beta, eta, couple, stiffness, *sines, each_sin(place + u / 4))
 
     near = couple_beyond_each(beta, eta, lean, cusp / 2) > 0
     first = rising_root_each(
@@ -282,8 +279,11 @@ def pair_rest_each(eta, lean, cusp, turn, beside):
 
 def couple_beyond_each(beta, eta, lean, turn):
     """The couple on a rod at π + lean + turn, greatest at the cusp; of a weak force as it stands."""
-    known = each_sin(lean + turn), each_sin(lean / 2), each_cos(turn + lean / 2), each_sin(turn), each_sin(turn / 2)
-    return each_pick(2 * beta < eta, twist_each(eta, turn) - beta * known[0], pair_couple_each(beta, eta, *known))
+    across = each_sin(lean + turn)
+    couple = pair_couple_each(
+        beta, eta, across, each_sin(lean / 2), each_cos(turn + lean / 2), each_sin(turn), each_sin(turn / 2)
+    )
+    return each_pick(2 * beta < eta, twist_each(eta, turn) - beta * across, couple)
 
 
 def pick_rest_each(condition, yes, no):

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 d7f44b2c1977a66285970ae2502080bffbc91b6292b2774611716b03fb7df12a
+Digest of the inputs: sha256 b645e5232b8d2b60e080b968b996b772212f2027a2a9311446ce085337086bd3
 """
 
 from __future__ import annotations
@@ -45,13 +45,16 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
     # How far V falls from the tip to the well, or to the level of a ridge that the motion passes.
     change = (drop + piece.level_gap if basin.passes else depth) / 2
     height = fall_from_rest_each(eta, stiffness, double_cosine, double_sine, offset + change, change)
-    done = piece.clamp_gap + drop
+    # Near the high end the clamp is told from there, else as the tip is: the clamp's own distances are exact.
+    done, apart = piece.clamp_gap + drop, each_pick(upper, piece.past_hill - from_hill, piece.past_well + depth)
+    done = each_pick(done < 0.5 * each_pick(upper, from_hill, each_abs(piece.past_well)), done, apart)
     if basin.even:
         half_width = depth + turn_to_each(well, basin.axis)
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
         far_moment, far_distance = near_moment, from_hill
     elif any_of(field_angle == 0) and not basin.passes:
         half_width, left, far_moment, far_distance = parallel_side_each(beta, eta, piece, rise, drop, from_hill, depth)
+        half_width = (done + left) / 2 if piece.high_kind == "turn" else half_width
     else:
         half_width, left, far_moment, far_distance = far_side_each(eta, piece, rise, drop, depth, done, height)
         near_moment = beside_shoulder_each(eta, basin, tip, offset, near_moment)
