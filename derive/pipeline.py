@@ -162,25 +162,34 @@ def emit_modules(runner: Runner, job: Job, tasks: Sequence[Task]) -> None:
 def run_modules(runner: Runner, job: Job) -> None:
     """Run every module against the references of its load case."""
     wanted = {module["name"]: reference_tasks(runner, module) for module in job.modules}
-    folds = {module["name"]: fold_tasks(module, len(wanted[module["name"]])) for module in job.modules}
-    known = {task.key: task for tasks in (*wanted.values(), *folds.values()) for task in tasks}
+    diagrams = {module["name"]: diagram_tasks(module, len(wanted[module["name"]])) for module in job.modules}
+    more = [task for both in diagrams.values() for tasks in both for task in tasks]
+    known = {task.key: task for tasks in (*wanted.values(), more) for task in tasks}
     answers = dict(zip(known, runner.results(list(known.values())), strict=True))
     tasks = []
     for module in job.modules:
         name, rods = module["name"], [answers[task.key] for task in wanted[module["name"]]]
-        more = [[answers[task.key] for task in folds[name]]] if "folds" in module["functions"] else []
-        inputs = (module["text"], module["backend"], rods, *more)
+        # Exchanges come with folds.
+        points = (
+            [[answers[task.key] for task in some] for some in diagrams[name]] if "folds" in module["functions"] else []
+        )
+        inputs = (module["text"], module["backend"], rods, *points)
         tasks.append(Task("agreement", name, stages.agree, inputs, stages.AGREEMENT))
     job.agreements = dict(zip(wanted, runner.results(tasks), strict=True))
 
 
-def fold_tasks(module: dict[str, Any], rods: int) -> list[Task]:
-    """The tasks that give the references of a module's folds, if it has any."""
-    if "folds" not in module["functions"]:
-        return []
-    label, scene = f"folds {module['case']}", (module["case"], module["folded"])
-    some = [number for number in stages.FOLD_RODS if number < rods]
-    return [Task("reference", label, stages.fold_reference, (*scene, n), stages.FOLDS) for n in some]
+def diagram_tasks(module: dict[str, Any], rods: int) -> tuple[list[Task], list[Task]]:
+    """The tasks that give the references of a module's folds and of its exchanges, if it has any."""
+    label, scene, functions = module["case"], (module["case"], module["folded"]), module["functions"]
+    folds = [number for number in stages.FOLD_RODS if number < rods and "folds" in functions]
+    exchanges = [number for number in stages.EXCHANGE_RODS if number < rods and "exchanges" in functions]
+    return (
+        [Task("reference", f"folds {label}", stages.fold_reference, (*scene, n), stages.FOLDS) for n in folds],
+        [
+            Task("reference", f"exchanges {label}", stages.exchange_reference, (*scene, n), stages.EXCHANGES)
+            for n in exchanges
+        ],
+    )
 
 
 def reference_tasks(runner: Runner, module: dict[str, Any]) -> list[Task]:

@@ -28,12 +28,15 @@ REPORT = (*PRINTED, *sorted((HERE / "report").glob("*.py")))
 EMIT = (*CHECK, HERE / "emit", HERE / "resources.py")
 REFERENCE = tuple(HERE / "measure" / f"{name}.py" for name in ("taylor", "reference", "scan", "rods"))
 FOLDS = (*REFERENCE, *(HERE / "measure" / f"{name}.py" for name in ("counts", "folds", "fold_references")))
+EXCHANGES = (*FOLDS, HERE / "measure" / "exchange_references.py")
 AGREEMENT = (
-    *FOLDS,
+    *EXCHANGES,
     *(HERE / "measure" / f"{name}.py" for name in ("agreement", "fold_agreement", "sweeps", "loading")),
+    HERE / "measure" / "exchange_agreement.py",
 )
-# Of the rods of a load case, those whose folds are looked for.
+# Of the rods of a load case, those whose folds are looked for, and those whose exchanges are.
 FOLD_RODS = (0, 2, 4)
+EXCHANGE_RODS = (0,)
 
 
 @dataclass(frozen=True)
@@ -226,17 +229,33 @@ def fold_reference(case: str, folded: dict[str, str], number: int) -> dict[str, 
     return None if found is None else found.to_json()
 
 
+def exchange_reference(case: str, folded: dict[str, str], number: int) -> dict[str, Any]:
+    """Where two folds of one of the rods of a load case meet as the force grows, to 40 digits."""
+    from mpmath import mp, mpf
+
+    from derive.measure.exchange_references import exchange_references
+    from derive.measure.rods import rods
+
+    with mp.workdps(EXACT):
+        exact = {name: mpf(text) for name, text in folded.items()}
+    rod = rods(case, {name: float(text) for name, text in folded.items()})[number]
+    return exchange_references(rod, exact).to_json()
+
+
 def agree(
     text: str,
     backend: str,
     known: Sequence[Sequence[dict[str, Any]]],
     folds: Sequence[dict[str, Any] | None] | None = None,
+    exchanges: Sequence[dict[str, Any]] = (),
 ) -> dict[str, Any]:
     """How far a module is off the references; an exception in the module is a fault like any other.
 
-    folds: the references of its folds, if it has any.
+    folds, exchanges: the references of its folds and exchanges, if it has any.
     """
     from derive.measure.agreement import DOUBLE, TWIN_DIGITS, agreement
+    from derive.measure.exchange_agreement import enter_exchanges
+    from derive.measure.exchange_references import ExchangeList
     from derive.measure.fold_agreement import enter_folds
     from derive.measure.fold_references import FoldList
     from derive.measure.reference import Reference
@@ -250,6 +269,7 @@ def agree(
     result = agreement(module, [(rod[0].rod, rod) for rod in answers], unit)
     if folds is not None:
         enter_folds(result, module, [FoldList.from_json(one) for one in folds if one], unit)
+    enter_exchanges(result, module, [ExchangeList.from_json(one) for one in exchanges], unit)
     rows = [asdict(row) for row in result.rows.values()]
     return {"rows": rows, "faults": result.reasons(), "equilibria": result.equilibria}
 

@@ -18,17 +18,15 @@ from derive.measure.hard import SIZES, ULP, hardness, wrong_in_kind
 from derive.measure.reference import Rod, solve
 from derive.measure.segments import Load
 from derive.measure.suites import Case
+from derive.measure.worst_rods import SEARCHED
 
-# Solvers were once off by these many bounds: 50, 8, 40 and 6.
-ONCE_OFF = [
-    Rod(2.4302721766809614, 3.8753057206158164, 1.580704486732356, 5.4798047179104055, 1.3281065623067299),
-    Rod(0.3839532844316139, 0.3839534601887917, 0.8816052193177799, 3.141592653484441, -6.663962624344102e-12),
-    Rod(0.5914372585118508, 0.5914372767167682, 13.524285715353868, 2.6662662871386704, 1.6487517190980542e-12),
-]
+# Solvers were once off by 8, 40, 6, 50 and 6 bounds; the long ones take their references some seconds.
+ONCE_OFF = [Rod(*row[:-1]) for row in SEARCHED if "all but merge" in row[-1] and row[2] < 20]
 
 
 @pytest.mark.parametrize("rod", ONCE_OFF, ids=str)
 def test_rods_beside_merging_directions_keep_their_bounds(rod: Rod) -> None:
+    assert len(ONCE_OFF) == 3
     found = hardness(kernel_module, [Case("", "", rod)], most=1)  # type: ignore[arg-type]  # all that is looked at
     assert not found.faults
     assert max(worst.by for worst in found.bounds.values()) <= 1

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from math import isfinite, sqrt
 from types import ModuleType
 from typing import Any
@@ -75,17 +75,34 @@ def compare_folds(
 def enter_fold(result: Agreement, rod: Rod, fold: Any, reference: FoldReference, unit: float) -> None:
     """Enter the errors of a fold where they are the worst so far, and what differs in kind."""
     at = f"the fold η = {float(reference.values['eta']):.12g}, {where(rod)}"
-    for name in ("index", "change", "kind"):
-        if getattr(fold, name) != getattr(reference, name):
-            result.faults.append(f"{name} {getattr(fold, name)} instead of {getattr(reference, name)} at {at}")
-    for name in QUANTITIES:
-        size = natural_size(name, rod, float(reference.values["eta"]))
+    sizes = {name: natural_size(name, rod, float(reference.values["eta"])) for name in QUANTITIES}
+    enter_point(result, "fold", at, fold, reference, ("index", "change", "kind"), sizes, unit)
+
+
+def enter_point(
+    result: Agreement,
+    what: str,
+    at: str,
+    found: Any,
+    reference: Any,
+    kinds: Sequence[str],
+    sizes: Mapping[str, float],
+    unit: float,
+) -> None:
+    """Enter a point of a diagram: what differs in kind, and the errors of its quantities where they are the worst.
+
+    what: the kind of point. at: where it is, for who reads. sizes: below which a quantity is as good as zero, by name.
+    """
+    for name in kinds:
+        if getattr(found, name) != getattr(reference, name):
+            result.faults.append(f"{name} {getattr(found, name)} instead of {getattr(reference, name)} at {at}")
+    for name, size in sizes.items():
         with mp.workdps(DIGITS + 5):
-            error = abs(float(mpf(getattr(fold, name)) - reference.values[name]))
+            error = abs(float(mpf(getattr(found, name)) - reference.values[name]))
         roundings = error / (unit * (size + reference.sensitivity[name]))
-        quantity, worst = f"fold {name}", result.rows.get(f"fold {name}")
+        quantity, worst = f"{what} {name}", result.rows.get(f"{what} {name}")
         if not isfinite(error):
-            result.faults.append(f"{name} is {getattr(fold, name)} at {at}")
+            result.faults.append(f"{name} is {getattr(found, name)} at {at}")
         elif worst is None or roundings > worst.roundings:
             result.rows[quantity] = Row(quantity, error, error / size, roundings, at)
 

@@ -70,7 +70,7 @@ def fold_references(rod: Rod, exact: Mapping[str, Any] | None = None) -> FoldLis
     if high <= 0.1 * rod.beta:
         return None
     found = []
-    for low, top, change in brackets(rod, high):
+    for low, top, change in brackets(rod, "eta", high):
         if straight(replace(rod, eta=low)) and straight(replace(rod, eta=top)):
             found.append(pitchfork(rod, exact or {}, low, top, change))
         elif near := fold_between(rod, "eta", low, top):
@@ -78,14 +78,17 @@ def fold_references(rod: Rod, exact: Mapping[str, Any] | None = None) -> FoldLis
     return FoldList(rod, high, tuple(sorted(found, key=lambda one: float(one.values["eta"]))))
 
 
-def brackets(rod: Rod, high: float) -> list[tuple[float, float, int]]:
-    """Field strengths between which the number of equilibria changes by one pair, and the change."""
+def brackets(rod: Rod, parameter: str, high: float, samples: int = SAMPLES) -> list[tuple[float, float, int]]:
+    """Loads up to ``high`` between which the number of equilibria changes by one pair, and the change.
 
-    def counted(etas: list[float]) -> list[tuple[float, int]]:
-        rows = count([replace(rod, eta=eta) for eta in etas])
-        return [(eta, row.number) for eta, row in zip(etas, rows, strict=True) if row.number is not None]
+    parameter: which load, 'eta' or 'beta'.
+    """
 
-    todo = list(pairwise(counted([0.0, *(high * (k + 0.5) / SAMPLES for k in range(SAMPLES)), high])))
+    def counted(loads: list[float]) -> list[tuple[float, int]]:
+        rows = count([replace(rod, **{parameter: load}) for load in loads])
+        return [(load, row.number) for load, row in zip(loads, rows, strict=True) if row.number is not None]
+
+    todo = list(pairwise(counted([0.0, *(high * (k + 0.5) / samples for k in range(samples)), high])))
     found = []
     for _ in range(HALVINGS):
         split = [pair for pair in todo if abs(pair[1][1] - pair[0][1]) > 2]
@@ -93,7 +96,7 @@ def brackets(rod: Rod, high: float) -> list[tuple[float, float, int]]:
         halves = [[low, *counted([(low[0] + top[0]) / 2]), top] for low, top in split]
         todo = [pair for places in halves for pair in pairwise(places)]
     if todo:
-        raise NoFoldError(f"more than two equilibria meet at one field for {rod}")
+        raise NoFoldError(f"more than two equilibria meet at one load for {rod}")
     return found
 
 
