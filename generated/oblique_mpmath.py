@@ -6,29 +6,31 @@ Gives: equilibria, shape, sweep, folds, exchanges.
 Load case: oblique. Valid for beta >= 0, eta >= 0, length > 0, any clamp_angle, any field_angle.
 Formulas, each proved equal to its derivation:
     arc_kink (DLMF 19.29(ii)), arc_kink_tip, arc_square (DLMF 19.29(ii)), arc_y (exsl36), arc_z (exsl41),
-    back_below (DLMF 19.8(iii)), back_below_rest (DLMF 19.8(iii)), back_rest (DLMF 19.8(iii)),
-    back_square (DLMF 19.8(iii)), before_cosine (DLMF 22.8(i)), before_over (DLMF 22.8(i)),
-    before_sine (DLMF 22.8(i)), chi_cosine (DLMF 22.6(iii)), chi_coversine (DLMF 22.6(iii)),
-    chi_rate (DLMF 22.6(iii)), chi_scale (DLMF 22.6(iii)), chi_square (DLMF 4.21(iii)),
-    chi_versine (DLMF 22.6(iii)), far_pair_root, far_root, gauss_rest (DLMF 19.8(iii)),
-    gauss_square (DLMF 19.8(iii)), half_rest (DLMF 22.6(iii)), half_rest_beyond (DLMF 22.6(iii)),
-    half_square (DLMF 22.6(iii)), half_square_beyond (DLMF 22.6(iii)), near_by_phase (DLMF 19.25.35),
-    others_product, others_sum, pair_lift, pair_root, pair_root_sum (DLMF 19.26(iii)), phase_lead,
-    phase_rate (DLMF 19.2.4), phase_sum, point_near, point_pole (exsl22), point_speed (exsl8), pole_gap,
-    rest_fall, rest_moment, rest_stiffness, rj_delta_imag (DLMF 19.26(iii)), rj_delta_real (DLMF 19.26(iii)),
-    second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic, turn_level, turn_over (DLMF 4.21(iii)),
-    turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
-    w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 7e446e18e27babaebf49c5ae15097d3ac8defd5abe7365448ac168860a99299c
+    back_below (DLMF 19.8(iii)), back_below_rest (DLMF 19.8(iii)), back_move (DLMF 19.8(iii)),
+    back_rest (DLMF 19.8(iii)), back_square (DLMF 19.8(iii)), before_cosine (DLMF 22.8(i)),
+    before_over (DLMF 22.8(i)), before_sine (DLMF 22.8(i)), chi_cosine (DLMF 22.6(iii)),
+    chi_coversine (DLMF 22.6(iii)), chi_rate (DLMF 22.6(iii)), chi_scale (DLMF 22.6(iii)),
+    chi_square (DLMF 4.21(iii)), chi_versine (DLMF 22.6(iii)), cusp_couple, far_cosine (DLMF 22.4(iii)),
+    far_pair_root, far_root, far_sine (DLMF 22.4(iii)), force_balance (exsl6), force_stiffness,
+    gauss_gap (DLMF 19.8(i)), gauss_rest (DLMF 19.8(iii)), gauss_square (DLMF 19.8(iii)),
+    half_rest (DLMF 22.6(iii)), half_rest_beyond (DLMF 22.6(iii)), half_square (DLMF 22.6(iii)),
+    half_square_beyond (DLMF 22.6(iii)), near_by_phase (DLMF 19.25.35), others_product, others_sum,
+    pair_couple (exsl6), pair_lift, pair_root, pair_root_sum (DLMF 19.26(iii)), pair_stiffness, phase_lead,
+    phase_rate (DLMF 19.2.4), phase_ratio (DLMF 19.2.4), phase_sum, point_near, point_pole (exsl22),
+    point_speed (exsl8), pole_gap, rest_fall, rest_moment, rest_stiffness, rj_delta_imag (DLMF 19.26(iii)),
+    rj_delta_real (DLMF 19.26(iii)), second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic, turn_level,
+    turn_over (DLMF 4.21(iii)), turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7),
+    w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
+Digest of the inputs: sha256 f5ed324b16e69b91e5707723e67fd1d051730aa13efda9df5db2d2aa309ac9e4
 """
 
 from __future__ import annotations
 
+from collections import namedtuple
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
 from itertools import pairwise
 from operator import index
-from typing import Any, NamedTuple
+from typing import Any
 
 from mpmath import (
     asin,
@@ -53,7 +55,6 @@ from mpmath import (
 )
 from mpmath import ceil as mpf_ceil
 from mpmath import floor as mpf_floor
-from mpmath import sqrt as complex_sqrt
 
 __all__ = ["Equilibrium", "Exchange", "Fold", "Shape", "Sweep", "equilibria", "exchanges", "folds", "shape", "sweep"]
 
@@ -97,14 +98,14 @@ def less_quarters(angle, quarters):
     return angle - quarters * (pi / 2)
 
 
-def larger(x, y):
-    """The larger one."""
-    return x if x > y else y
-
-
 def pick(condition, yes, no):
     """``yes`` where the condition holds, else ``no``."""
     return yes if condition else no
+
+
+def larger(x, y):
+    """The larger one."""
+    return x if x > y else y
 
 
 def any_of(condition):
@@ -138,13 +139,75 @@ def arctan_share(z, end):
             total, power, n = total + power / n, -power * z, n + 2
         return total
     if abs(z) < 0.5:
-        root = complex_sqrt(z)
+        root = sqrt(z)
         return atan(root) / root
-    root = complex_sqrt(-z)
+    root = sqrt(-z)
     return log((1 + root) * (1 + root) / end) / (2 * root)
 
 
+def plus_quarters(angle, quarters):
+    """angle + quarters·π/2."""
+    return angle + quarters * (pi / 2)
+
+
 # Formulas, as derived
+
+
+def pair_couple(beta, eta, force_sine, lean_half_sine, side_cosine, turn_sine, turn_half_sine):
+    """θ″ at π + λ + x, and at −λ − x with the field at λ from the normal of the force.
+
+    Equation exsl6; proved as swing.pair_couple.
+    """
+    return (
+        force_sine * (eta - beta)
+        - 2 * eta * (lean_half_sine * side_cosine + turn_sine * turn_half_sine * turn_half_sine)
+    )
+
+
+def force_balance(beta, eta, gap_sine, lean_half_sine, side_cosine, turn_sine, turn_half_sine):
+    """θ″ at π − p, and at p with the field at λ from the normal of the force, by β − η.
+
+    Equation exsl6; proved as swing.force_balance.
+    """
+    return (
+        gap_sine * (beta - eta)
+        - 2 * eta * (lean_half_sine * side_cosine - turn_sine * turn_half_sine * turn_half_sine)
+    )
+
+
+def force_stiffness(eta, lean_sine, lean_cosine, along, across, gap_sine):
+    """−dθ″/dθ at π − p, dθ″/dθ at p, where θ″ vanishes, by cosine and sine of λ + p.
+
+    Proved as swing.force_stiffness.
+    """
+    return eta * (lean_sine * along * along * along + lean_cosine * across * across * across) / gap_sine
+
+
+def cusp_couple(beta, eta, couple, stiffness, half_sine, quarter_sine, three_sine, near_sine, far_sine, force_sine):
+    """θ″ at an angle u beside the cusp, by θ″ and dθ″/dθ there.
+
+    Proved as swing.cusp_couple.
+    """
+    return (
+        couple
+        + 2
+        * half_sine
+        * (stiffness + 2 * beta * quarter_sine * force_sine - eta * (quarter_sine * near_sine + three_sine * far_sine))
+    )
+
+
+def pair_stiffness(eta, lean_cosine, cusp_cosine, beside_sine, along, across, force_sine):
+    """dθ″/dθ of the pair, where θ″ vanishes, by the sine of what x is beyond the cusp.
+
+    Proved as swing.pair_stiffness.
+    """
+    return (
+        -eta
+        * lean_cosine
+        * beside_sine
+        * (along * along + along * across + across * across)
+        / (cusp_cosine * cusp_cosine * cusp_cosine * force_sine)
+    )
 
 
 def rest_fall(eta, stiffness, double_cosine, double_sine, middle_sine, middle_cosine, half_sine, half_cosine):
@@ -326,20 +389,20 @@ def w_imag(b, rj_re):
     return 2 * b * rj_re / 3
 
 
-def arc_y(sine, cosine, arc, w_re, w_im):
-    """∫y′ dσ from the tip to the point, by sin φ and cos φ.
+def arc_y(sine, cosine, w_re, w_im):
+    """∫y′ dσ from the tip to the point less what it is along the tip's direction, by sin φ and cos φ.
 
     Equation exsl36; proved as swing.arc_y.
     """
-    return cosine * (arc + w_re) - sine * w_im
+    return cosine * w_re - sine * w_im
 
 
-def arc_z(sine, cosine, arc, w_re, w_im):
-    """∫z′ dσ from the tip to the point, by sin φ and cos φ.
+def arc_z(sine, cosine, w_re, w_im):
+    """∫z′ dσ from the tip to the point less what it is along the tip's direction, by sin φ and cos φ.
 
     Equation exsl41; proved as swing.arc_z.
     """
-    return sine * (arc + w_re) + cosine * w_im
+    return sine * w_re + cosine * w_im
 
 
 def rest_stiffness(beta, eta, cosine, double_cosine):
@@ -401,26 +464,28 @@ def arc_kink_tip(first, second, delta, across, b, pole, near_root, gap):
     )
 
 
-def second_kind_step(first, second, square, rest, delta, arc):
-    """2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step.
+def second_kind_step(total, gap, below, square, rest, arc):
+    """2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step; below = a + Δ.
 
     Equation DLMF 19.8.19; proved as swing.second_kind_step.
     """
-    return (first + second) * (first - second) * (0.5 * arc - sqrt(square * rest) / (first + delta))
+    return total * gap * (0.5 * arc - sqrt(square * rest) / below)
 
 
-def arc_square(beta, eta, cosine, aligned, first, root, arc, y, kink, growth):
-    """η∫cos²(θ − α)dσ from the tip to the point, by cos φ and cos(φ − α).
+def gauss_gap(gap, total):
+    """a′ − b′ after Gauss's step, by gap = a − b and total = a′ + b′.
+
+    Equation DLMF 19.8(i); proved as swing.gauss_gap.
+    """
+    return 0.25 * gap * gap / total
+
+
+def arc_square(beta, first, root, arc, y_apart, kink, growth):
+    """η∫cos²(θ − α)dσ from the tip to the point less what it is along the tip's direction, by the same of y.
 
     Equation DLMF 19.29(ii); proved as swing.arc_square.
     """
-    return (
-        arc * (beta * cosine + eta * aligned * aligned)
-        - beta * y
-        - 2 * arc * (2 * first * first - 2 * root)
-        - 2 * kink
-        - 8 * growth
-    )
+    return -beta * y_apart - 2 * arc * (2 * first * first - 2 * root) - 2 * kink - 8 * growth
 
 
 def strength(moment_there):
@@ -469,62 +534,6 @@ def pair_root_sum(square, delta):
     Equation DLMF 19.26(iii); proved as swing.pair_root_sum.
     """
     return 2 * delta / sqrt(square)
-
-
-def before_over(first, square, rest, by_delta):
-    """What the cosine of a difference of lengths is divided by; by_delta is Δ at the length taken off.
-
-    Equation DLMF 22.8(i); proved as swing.before_over.
-    """
-    return square * by_delta / first + first * rest / by_delta
-
-
-def before_sine(first, square, rest, delta, by_square, by_rest, by_delta, fall):
-    """sin ψ at the difference of two lengths from the tip, by the difference of their sin²ψ.
-
-    Equation DLMF 22.8(i); proved as swing.before_sine.
-    """
-    return first * fall / ((sqrt(square * by_rest) + delta * sqrt(rest * by_square) / by_delta) * by_delta)
-
-
-def before_cosine(first, square, rest, delta, by_square, by_rest, by_delta, over):
-    """cos ψ at the difference of two lengths from the tip.
-
-    Equation DLMF 22.8(i); proved as swing.before_cosine.
-    """
-    return (delta * sqrt(square * by_square) / first + first * sqrt(rest * by_rest) / by_delta) / over
-
-
-def back_below(first, second, square):
-    """2a(a + b)/(a + Δ) by sin²ψ′, for a > b: Gauss's step undone.
-
-    Equation DLMF 19.8(iii); proved as swing.back_below.
-    """
-    return first + second + square * (first - second)
-
-
-def back_below_rest(first, second, rest):
-    """The same by cos²ψ′, for a < b: Gauss's step undone.
-
-    Equation DLMF 19.8(iii); proved as swing.back_below_rest.
-    """
-    return 2 * first - rest * (first - second)
-
-
-def back_square(first, square, below):
-    """sin²ψ by sin²ψ′: Gauss's step undone.
-
-    Equation DLMF 19.8(iii); proved as swing.back_square.
-    """
-    return 4 * square * first * first / (below * below)
-
-
-def back_rest(first, second, gap, rest, below):
-    """cos²ψ by cos²ψ′, with gap = a − b: Gauss's step undone.
-
-    Equation DLMF 19.8(iii); proved as swing.back_rest.
-    """
-    return rest * (4 * first * second + rest * gap * gap) / (below * below)
 
 
 def chi_scale(square, rest, flat):
@@ -623,12 +632,100 @@ def chi_rate(square, rest, flat, scale):
     return (rest * rest + flat * (1 + rest)) / scale
 
 
+def phase_ratio(share, square, rest):
+    """Δ/a by share = (b/a)².
+
+    Equation DLMF 19.2.4; proved as swing.phase_ratio.
+    """
+    return sqrt(rest + share * square)
+
+
+def before_over(square, rest, by_ratio):
+    """What the cosine of a difference of lengths is divided by; by_ratio is Δ/a at the length taken off.
+
+    Equation DLMF 22.8(i); proved as swing.before_over.
+    """
+    return rest + square * by_ratio * by_ratio
+
+
+def before_sine(square, rest, ratio, by_square, by_rest, by_ratio, fall):
+    """sin ψ at the difference of two lengths from the tip, by the difference of their sin²ψ.
+
+    Equation DLMF 22.8(i); proved as swing.before_sine.
+    """
+    return fall / (by_ratio * sqrt(square * by_rest) + ratio * sqrt(rest * by_square))
+
+
+def before_cosine(square, rest, ratio, by_square, by_rest, by_ratio, over):
+    """cos ψ at the difference of two lengths from the tip.
+
+    Equation DLMF 22.8(i); proved as swing.before_cosine.
+    """
+    return (ratio * by_ratio * sqrt(square * by_square) + sqrt(rest * by_rest)) / over
+
+
+def back_below(first, second, square):
+    """2a(a + b)/(a + Δ) by sin²ψ′, for a > b: Gauss's step undone.
+
+    Equation DLMF 19.8(iii); proved as swing.back_below.
+    """
+    return first + second + square * (first - second)
+
+
+def back_below_rest(first, second, rest):
+    """The same by cos²ψ′, for a < b: Gauss's step undone.
+
+    Equation DLMF 19.8(iii); proved as swing.back_below_rest.
+    """
+    return 2 * first - rest * (first - second)
+
+
+def back_move(first, gap, square, rest, below):
+    """by how much sin²ψ is more than sin²ψ′, with gap = a − b: Gauss's step undone.
+
+    Equation DLMF 19.8(iii); proved as swing.back_move.
+    """
+    return gap * square * rest * (below + 2 * first) / (below * below)
+
+
+def back_square(first, square, below):
+    """sin²ψ by sin²ψ′: Gauss's step undone.
+
+    Equation DLMF 19.8(iii); proved as swing.back_square.
+    """
+    return 4 * square * first * first / (below * below)
+
+
+def back_rest(first, second, gap, rest, below):
+    """cos²ψ by cos²ψ′, with gap = a − b: Gauss's step undone.
+
+    Equation DLMF 19.8(iii); proved as swing.back_rest.
+    """
+    return rest * (4 * first * second + rest * gap * gap) / (below * below)
+
+
 def point_speed(b, done_sine, x_near, pair_root):
     """|θ_σ| by X₁ and √X₂√X₃.
 
     Equation exsl8; proved as swing.point_speed.
     """
     return 4 * pair_root * done_sine * done_sine * sqrt(x_near) / b
+
+
+def far_sine(first, rest, delta):
+    """sin ψ of the same point by the length from the far turning point.
+
+    Equation DLMF 22.4(iii); proved as swing.far_sine.
+    """
+    return first * sqrt(rest) / delta
+
+
+def far_cosine(second, square, delta):
+    """cos ψ of the same point by the length from the far turning point.
+
+    Equation DLMF 22.4(iii); proved as swing.far_cosine.
+    """
+    return second * sqrt(square) / delta
 
 
 # Solver
@@ -654,11 +751,36 @@ def digits(dps):
     return wanted
 
 
-class Rod(NamedTuple):
+class Record(tuple):
+    """A tuple whose fields have names: the annotations of its class, in order. Made from a tuple of all its values."""
+
+    __slots__ = ()
+    _fields: tuple[str, ...]
+    _places = namedtuple("_places", "a b c d e f g h i j k l m n o p")  # no record has more fields
+
+    def __init_subclass__(cls):
+        """Give every field its place; what reads a place is taken from one named tuple."""
+        cls._fields = tuple(cls.__annotations__)
+        for name, place in zip(cls._fields, cls._places._fields, strict=False):
+            setattr(cls, name, getattr(cls._places, place))
+
+    def __repr__(self):
+        """The class and the fields by name."""
+        fields = ", ".join(f"{name}={value!r}" for name, value in zip(self._fields, self, strict=True))
+        return f"{type(self).__name__}({fields})"
+
+    def _replace(self, **changed):
+        """The same with some other values."""
+        return type(self)([changed.get(name, value) for name, value in zip(self._fields, self, strict=True)])
+
+
+class Rod(Record):
     """A rod in units in which β + η is of order one: lengths are 2**scale times the user's.
 
     field_angle: in (−π/2, π/2]; of the mirrored rod where ``side`` is −1.
     """
+
+    __slots__ = ()
 
     beta: mpf
     eta: mpf
@@ -669,11 +791,13 @@ class Rod(NamedTuple):
     scale: int
 
 
-class Motion(NamedTuple):
+class Motion(Record):
     """A motion from rest at the tip through the clamp angle to rest at the far turning point, and back.
 
     With χ from 0 at the tip to π at the far turning point, dσ = dχ/√(end² cos²χ + middle² sin²χ).
     """
+
+    __slots__ = ()
 
     tip: mpf  # the tip angle, in the turn of the landscape
     half_width: mpf
@@ -692,8 +816,10 @@ class Motion(NamedTuple):
     left_sine: mpf  # sin(left/2)
 
 
-class Stay(NamedTuple):
+class Stay(Record):
     """A motion, and the lengths for which it stays near its tip, its middle, and its far turning point besides."""
+
+    __slots__ = ()
 
     motion: Motion
     tip: mpf
@@ -702,25 +828,47 @@ class Stay(NamedTuple):
     arrival: mpf
 
 
-class Arc(NamedTuple):
-    """A stretch of rod from the tip: ∫cos θ, ∫sin θ and η∫cos²(θ − α)."""
+class Heading(Record):
+    """The tip's direction: cos and sin of φ, and of 2(φ − α)."""
+
+    __slots__ = ()
+
+    cosine: mpf
+    sine: mpf
+    double_cosine: mpf
+    double_sine: mpf
+
+
+class Arc(Record):
+    """A stretch of rod from the tip, less what it would be if it were straight along the tip's direction.
+
+    ∫cos θ, ∫sin θ and η∫cos²(θ − α), with cos θ − cos φ for cos θ and likewise.
+    """
+
+    __slots__ = ()
 
     y: mpf
     z: mpf
     square: mpf
 
 
-class Swing(NamedTuple):
+class Swing(Record):
     """A half-swing of a bent rod, for its shape: how it was found, its length, and its arc. turns: of the clamp.
+
+    heading: the tip's direction. total: the arc of the whole rod.
 
     The clamp lies on the half-swing after ``whole`` of them, at the length ``arrival`` from where the motion is as at
     the tip, of which ``regular`` is not straight, and at the phase ψ with sin²ψ = square and cos²ψ = rest.
     """
 
+    __slots__ = ()
+
     stay: Stay
     turns: int
     length: mpf
+    heading: Heading
     arc: Arc
+    total: Arc
     middle_angle: mpf
     far_angle: mpf
     whole: int
@@ -748,13 +896,13 @@ def positive(name: str, value: object) -> mpf:
 
 def weak_rod(beta, eta, length, clamp_angle, field_angle):
     """The rod that is all but straight: θ″ is that of the clamp angle, to the square of rounding."""
-    rod = Rod(beta, eta, length, clamp_angle, field_angle, 1, 0)
+    rod = Rod((beta, eta, length, clamp_angle, field_angle, 1, 0))
     lean = clamp_angle - field_angle
     moment = beta * sin(clamp_angle) + eta * sin(lean) * cos(lean)
     gamma = 2 * beta * cos(clamp_angle) + eta * cos(lean) * cos(lean)
     tip = clamp_angle - moment * length * length / 2
     y, z = length * cos(clamp_angle), length * sin(clamp_angle)
-    return Equilibrium(tip, -moment * length, gamma, y, z, -gamma * length / 2, 0, rod, None)
+    return Equilibrium((tip, -moment * length, gamma, y, z, -gamma * length / 2, 0, rod, None))
 
 
 def principal(field_angle):
@@ -776,11 +924,13 @@ def reflected(field_angle):
     return -field_angle
 
 
-class Rest(NamedTuple):
+class Rest(Record):
     """A direction without moment: angle = quarters·π/2 + extra.
 
     stiffness: dθ″/dθ there, positive on a hill. double_cosine, double_sine: of 2(angle − α).
     """
+
+    __slots__ = ()
 
     quarters: int
     extra: mpf
@@ -790,51 +940,56 @@ class Rest(NamedTuple):
     double_sine: mpf
 
 
-class Landscape(NamedTuple):
+class Landscape(Record):
     """The directions of one turn, from the highest hill to the same hill a turn on: hill, well(, ridge, well), hill.
 
-    level: the ridge is as high as the hill. even: V is symmetric about every hill and well.
+    level: the ridge is as high as the hill. even: V is symmetric about every hill and well. shoulder: where a ridge is
+    nearly there, the direction at which the couple, ``moment``, is nearest to zero; None where that is not asked for.
     """
+
+    __slots__ = ()
 
     rests: tuple[Rest, ...]
     level: bool
     even: bool
+    shoulder: Rest | None
+    moment: mpf
 
 
 def along(beta, quarters, sign):
     """A direction along or against the force, no field: what it is about the field is not asked."""
-    return Rest(quarters, 0, quarters * (pi / 2), sign * beta, 1, 0)
+    return Rest((quarters, 0, quarters * (pi / 2), sign * beta, 1, 0))
 
 
 def no_field(beta):
     """The force alone."""
-    return Landscape((along(beta, 0, 1), along(beta, 2, -1), along(beta, 4, 1)), False, True)
+    return Landscape(((along(beta, 0, 1), along(beta, 2, -1), along(beta, 4, 1)), False, True, None, 0.0))
 
 
 def parallel_alone(eta):
     """The field without force: hills along and against it, wells across."""
-    top, side, again = (Rest(quarters, 0, quarters * (pi / 2), eta, 1, 0) for quarters in (0, 2, 4))
-    first, second = (Rest(quarters, 0, quarters * (pi / 2), -eta, -1, 0) for quarters in (1, 3))
-    return Landscape((top, first, side, second, again), True, True)
+    top, side, again = (Rest((quarters, 0, quarters * (pi / 2), eta, 1, 0)) for quarters in (0, 2, 4))
+    first, second = (Rest((quarters, 0, quarters * (pi / 2), -eta, -1, 0)) for quarters in (1, 3))
+    return Landscape(((top, first, side, second, again), True, True, None, 0.0))
 
 
 def parallel_double(beta, eta):
     """The field along a weaker force: hills at 0 and, lower, at π."""
-    top, again = (Rest(quarters, 0, quarters * (pi / 2), eta + beta, 1, 0) for quarters in (0, 4))
-    side = Rest(2, 0, pi, eta - beta, 1, 0)
+    top, again = (Rest((quarters, 0, quarters * (pi / 2), eta + beta, 1, 0)) for quarters in (0, 4))
+    side = Rest((2, 0, pi, eta - beta, 1, 0))
     lean = atan2(beta, sqrt((eta - beta) * (eta + beta)))
     softness = (eta - beta) * (eta + beta) / eta
     cosine = 2 * (beta / eta) * (beta / eta) - 1
     sine = -2 * (beta / eta) * sqrt((eta - beta) * (eta + beta)) / eta
-    first = Rest(1, lean, pi / 2 + lean, -softness, cosine, sine)
-    second = Rest(3, -lean, 3 * (pi / 2) - lean, -softness, cosine, -sine)
-    return Landscape((top, first, side, second, again), False, True)
+    first = Rest((1, lean, pi / 2 + lean, -softness, cosine, sine))
+    second = Rest((3, -lean, 3 * (pi / 2) - lean, -softness, cosine, -sine))
+    return Landscape(((top, first, side, second, again), False, True, None, 0.0))
 
 
 def parallel_single(beta, eta):
     """The field along a force that is not weaker: one hill, at 0."""
-    top, again = (Rest(quarters, 0, quarters * (pi / 2), eta + beta, 1, 0) for quarters in (0, 4))
-    return Landscape((top, Rest(2, 0, pi, eta - beta, 1, 0), again), False, True)
+    top, again = (Rest((quarters, 0, quarters * (pi / 2), eta + beta, 1, 0)) for quarters in (0, 4))
+    return Landscape(((top, Rest((2, 0, pi, eta - beta, 1, 0)), again), False, True, None, 0.0))
 
 
 def orthogonal_double(beta, eta):
@@ -843,16 +998,16 @@ def orthogonal_double(beta, eta):
     stiffness = (eta - beta) * (eta + beta) / eta
     cosine = 1 - 2 * (beta / eta) * (beta / eta)
     sine = -2 * (beta / eta) * sqrt((eta - beta) * (eta + beta)) / eta
-    low = Rest(0, -lean, -lean, stiffness, cosine, -sine)
-    high, again = Rest(0, lean, lean, stiffness, cosine, sine), low._replace(quarters=4, angle=2 * pi - lean)
-    top, bottom = Rest(0, 0, 0, beta - eta, -1, 0), Rest(2, 0, pi, -beta - eta, -1, 0)
-    return Landscape((low, top, high, bottom, again), True, True)
+    low = Rest((0, -lean, -lean, stiffness, cosine, -sine))
+    high, again = Rest((0, lean, lean, stiffness, cosine, sine)), low._replace(quarters=4, angle=2 * pi - lean)
+    top, bottom = Rest((0, 0, 0, beta - eta, -1, 0)), Rest((2, 0, pi, -beta - eta, -1, 0))
+    return Landscape(((low, top, high, bottom, again), True, True, None, 0.0))
 
 
 def orthogonal_single(beta, eta):
     """The field across a force that is not weaker: one hill, at 0."""
-    top, again = (Rest(quarters, 0, quarters * (pi / 2), beta - eta, -1, 0) for quarters in (0, 4))
-    return Landscape((top, Rest(2, 0, pi, -beta - eta, -1, 0), again), False, True)
+    top, again = (Rest((quarters, 0, quarters * (pi / 2), beta - eta, -1, 0)) for quarters in (0, 4))
+    return Landscape(((top, Rest((2, 0, pi, -beta - eta, -1, 0)), again), False, True, None, 0.0))
 
 
 def mirror_rest(rest):
@@ -864,19 +1019,24 @@ def mirror_rest(rest):
 
 def mirror_landscape(scene):
     """The landscape seen from the other side of the y axis."""
-    return scene._replace(rests=tuple(mirror_rest(rest) for rest in scene.rests[::-1]))
+    rests = tuple(mirror_rest(rest) for rest in scene.rests[::-1])
+    if scene.shoulder is None:
+        return scene._replace(rests=rests)
+    return scene._replace(rests=rests, shoulder=mirror_rest(scene.shoulder), moment=-scene.moment)
 
 
 def rest_at(beta, eta, field_angle, quarters, extra):
     """The direction at this angle."""
     angle = quarters * (pi / 2) + extra
     double = 2 * (angle - field_angle)
-    return Rest(quarters, extra, angle, beta * cos(angle) + eta * cos(double), cos(double), sin(double))
+    return Rest((quarters, extra, angle, beta * cos(angle) + eta * cos(double), cos(double), sin(double)))
 
 
 def oblique_alone(eta, field_angle):
     """The field without force, at an angle in (0, π/2)."""
-    return Landscape(tuple(rest_at(0 * eta, eta, field_angle, k, field_angle) for k in range(5)), True, True)
+    return Landscape(
+        (tuple(rest_at(0 * eta, eta, field_angle, k, field_angle) for k in range(5)), True, True, None, 0.0)
+    )
 
 
 def twist(eta, x):
@@ -884,9 +1044,11 @@ def twist(eta, x):
     return eta * sin(x) * cos(x)
 
 
-def ridge_couple(beta, eta, field_angle, x):
-    """The couple on a rod that points along α + π + x."""
-    return twist(eta, x) - beta * sin(field_angle + x)
+def couple_beyond(beta, eta, lean, turn):
+    """The couple on a rod at π + lean + turn, greatest at the cusp; of a weak force as it stands."""
+    across = sin(lean + turn)
+    couple = pair_couple(beta, eta, across, sin(lean / 2), cos(turn + lean / 2), sin(turn), sin(turn / 2))
+    return pick(2 * beta < eta, twist(eta, turn) - beta * across, couple)
 
 
 def astroid_cusp(field_angle):
@@ -900,8 +1062,8 @@ def astroid_cusp(field_angle):
 
 def has_second_pair(beta, eta, field_angle):
     """Whether the field is strong enough for a second hill and well."""
-    # Of a couple c at the cusp the ridge is as high as c to the power 3/2: below this it is lost in rounding.
-    return ridge_couple(beta, eta, field_angle, astroid_cusp(field_angle)) > epsilon() ** mpf("0.7") * (beta + eta)
+    lean = pick(field_angle > pi / 4, -less_quarters(field_angle, 1), field_angle)
+    return couple_beyond(beta, eta, lean, astroid_cusp(lean)) > 4 * epsilon() * (beta + eta)
 
 
 def narrowed(low, high, value_low, value_high, place, value):
@@ -921,7 +1083,10 @@ def rising_root(function, low, high):
         value = function(middle)
         size = sqrt(larger(value * value - value_low * value_high, 0))
         exact = (value == 0) | (size == 0)
-        trial = pick(exact, middle, middle + (middle - low) * (-value / pick(exact, 1, size)))
+        size = pick(exact, 1, size)
+        # By the distance from the low end, which may be far less than the interval.
+        share = pick(value > 0, -value_low * value_high / (size * (size + larger(value, 0))), 1 - value / size)
+        trial = pick(exact, middle, low + (middle - low) * share)
         value_trial = function(trial)
         settled, last = abs(trial - last) <= 4 * epsilon() * abs(trial), pick(moving, trial, last)
         low, high, value_low, value_high = narrowed(low, high, value_low, value_high, middle, value)
@@ -938,26 +1103,131 @@ def rising_root(function, low, high):
     return last
 
 
+def beside_field(beta, eta, lean):
+    """The hill between force and field, for a field at ``lean`` in (0, π/4]."""
+    back = rising_root(lambda y: twist(eta, y) - beta * sin(lean - y), 0 * lean, lean)
+    return Rest((0, lean - back, 0, beta * cos(lean - back) + eta * cos(2 * back), cos(2 * back), -sin(2 * back)))
+
+
+def side_couple(beta, eta, lean, gap):
+    """The couple on a rod at π − gap."""
+    turn = lean + gap
+    return force_balance(beta, eta, sin(gap), sin(lean / 2), cos(gap + lean / 2), sin(turn), sin(turn / 2))
+
+
+def beside_force(beta, eta, lean, most):
+    """The well between the normal of the field and the opposite of the force, for the same: by what it is from the
+    nearer one of these. most: what they are apart."""
+    on = side_couple(beta, eta, lean, most / 2) < 0  # whether it is nearer to the normal
+    # Under a force no weaker than the field it is no further from its opposite than where both would be level.
+    level = pick(on | (beta < eta), most, 2 * lean ** (mpf(1) / 3))
+    part = rising_root(
+        lambda x: pick(on, twist(eta, x) - beta * cos(lean + x), side_couple(beta, eta, lean, x)),
+        0 * lean,
+        pick(level < most, level, most),
+    )
+    gap, double = pick(on, most - part, part), 2 * pick(on, part, lean + part)
+    along, across = pick(on, sin(part), cos(lean + part)), pick(on, cos(part), sin(lean + part))
+    weak = 2 * eta < beta  # then it is next to the force, and nothing cancels
+    stiffness = force_stiffness(
+        eta, sin(lean), cos(lean), along, across, pick(weak, 1, larger(sin(gap), epsilon() ** 19))
+    )
+    stiffness = pick(weak, beta * cos(gap) - eta * cos(double), stiffness)
+    return Rest((2, -gap, 0, -stiffness, cos(double) * pick(on, -1, 1), -sin(double)))
+
+
+def pick_rest(condition, yes, no):
+    """One or the other direction, number by number."""
+    return Rest(pick(condition, *pair) for pair in zip(yes, no, strict=True))
+
+
+def rest_turned_back(rest):
+    """What is a hill beside 0 with one field is a well beside π with the other, and the reverse."""
+    return rest._replace(
+        extra=-rest.extra, stiffness=-rest.stiffness, double_cosine=-rest.double_cosine, double_sine=rest.double_sine
+    )
+
+
+def rest_of(quarters, rest):
+    """The direction with its angle, from a number of quarter turns on."""
+    return rest._replace(quarters=quarters, angle=quarters * (pi / 2) + rest.extra)
+
+
 def oblique_single(beta, eta, field_angle):
     """A field angle in (0, π/2): a hill between force and field, a well a quarter turn on."""
-    back = rising_root(lambda y: twist(eta, y) - beta * sin(field_angle - y), 0 * field_angle, field_angle)
-    on = rising_root(lambda w: twist(eta, w) - beta * cos(field_angle + w), 0 * field_angle, pi / 2 - field_angle)
-    hill = rest_at(beta, eta, field_angle, 0, field_angle - back)
-    well = rest_at(beta, eta, field_angle, 1, field_angle + on)
-    return Landscape((hill, well, hill._replace(quarters=4, angle=hill.angle + 2 * pi)), False, False)
+    # Both lie as the well and the hill do with the field as far from the normal of the force as it is here from it.
+    steep = field_angle > pi / 4
+    lean = pick(steep, -less_quarters(field_angle, 1), field_angle)
+    across = pick(steep, field_angle, pi / 2 - lean)
+    hill, well = beside_field(beta, eta, lean), beside_force(beta, eta, lean, across)
+    hill, well = pick_rest(steep, rest_turned_back(well), hill), pick_rest(steep, rest_turned_back(hill), well)
+    low = rest_of(0, hill)
+    return Landscape(
+        ((low, rest_of(2, well), low._replace(quarters=4, angle=low.angle + 2 * pi)), False, False, None, 0.0)
+    )
+
+
+def pair_rest(eta, lean, cusp, turn, beside):
+    """The direction at π + lean + turn, turn = cusp + beside."""
+    along, across = cos(cusp) * sin(turn), sin(cusp) * cos(turn)
+    stiffness = pair_stiffness(eta, cos(lean), cos(cusp), sin(beside), along, across, sin(lean + turn))
+    return Rest((2, lean + turn, 0, stiffness, cos(2 * turn), sin(2 * turn)))
+
+
+def pair_rests(beta, eta, lean):
+    """The pair at π + lean + x, x to either side of the cusp, each with π/2 − x: by what x is from the cusp, or from
+    the nearer end of the quarter."""
+    cusp = astroid_cusp(lean)
+    place, couple = lean + cusp, couple_beyond(beta, eta, lean, cusp)
+    stiffness = couple * cos(place) / sin(place)
+
+    def beside(u):
+        first, second = sin(2 * cusp + u / 4), sin(2 * cusp + 3 * u / 4)
+        force_sine, third = sin(place + u / 4), sin(3 * u / 4)
+        return cusp_couple(beta, eta, couple, stiffness, sin(u / 2), sin(u / 4), third, first, second, force_sine)
+
+    near = couple_beyond(beta, eta, lean, cusp / 2) > 0
+    first = rising_root(
+        lambda x: pick(near, couple_beyond(beta, eta, lean, x), beside(-x)), pick(near, 0, cusp), pick(near, cusp, 0)
+    )
+    turn = pick(near, first, cusp - first)
+    low = pair_rest(eta, lean, cusp, turn, pick(near, first - cusp, -first)), pi / 2 - turn
+    most = pi / 2 - cusp
+    far = couple_beyond(beta, eta, lean, cusp + most / 2) > 0
+    last = rising_root(
+        lambda x: pick(far, twist(eta, x) - beta * cos(lean - x), beside(x)), pick(far, 0, most), pick(far, most, 0)
+    )
+    beyond = pick(far, most - last, last)
+    high = pair_rest(eta, lean, cusp, cusp + beyond, beyond), pick(far, last, pi / 2 - (cusp + beyond))
+    return low, high
 
 
 def oblique_double(beta, eta, field_angle):
     """A field angle in (0, π/2), and a second pair: a ridge and a well."""
     hill, well, again = oblique_single(beta, eta, field_angle).rests
-    cusp = astroid_cusp(field_angle)
+    steep = field_angle > pi / 4
+    lean = pick(steep, -less_quarters(field_angle, 1), field_angle)
+    (low, low_over), (high, high_over) = pair_rests(beta, eta, lean)
+    if any_of(steep):
+        # The same pair, seen from the force's direction a turn on.
+        first = rest_turned_back(high)._replace(extra=field_angle + high_over)
+        second = rest_turned_back(low)._replace(extra=field_angle + low_over)
+        low, high = pick_rest(steep, first, low), pick_rest(steep, second, high)
+    return Landscape(((hill, well, rest_of(2, low), rest_of(2, high), again), False, False, None, 0.0))
 
-    def couple(x):
-        return ridge_couple(beta, eta, field_angle, x)
 
-    ridge = rest_at(beta, eta, field_angle, 2, field_angle + rising_root(couple, 0 * field_angle, cusp))
-    second = rest_at(beta, eta, field_angle, 2, field_angle + rising_root(couple, pi / 2 + 0 * field_angle, cusp))
-    return Landscape((hill, well, ridge, second, again), False, False)
+def with_shoulder(beta, eta, field_angle, scene):
+    """The landscape with the direction at which the pair would be born."""
+    steep = field_angle > pi / 4
+    lean = pick(steep, -less_quarters(field_angle, 1), field_angle)
+    cusp = astroid_cusp(lean)
+    place, couple = lean + cusp, couple_beyond(beta, eta, lean, cusp)
+    stiffness = couple * cos(place) / sin(place)
+    shoulder = Rest((2, place, 0, stiffness, cos(2 * cusp), sin(2 * cusp)))
+    if any_of(steep):
+        back = rest_turned_back(shoulder)
+        shoulder = pick_rest(steep, back._replace(extra=back.extra + pi), shoulder)
+    return scene._replace(shoulder=rest_of(2, shoulder), moment=couple)
 
 
 def oblique_landscape(beta, eta, field_angle):
@@ -966,7 +1236,7 @@ def oblique_landscape(beta, eta, field_angle):
         return oblique_alone(eta, field_angle)
     if has_second_pair(beta, eta, field_angle):
         return oblique_double(beta, eta, field_angle)
-    return oblique_single(beta, eta, field_angle)
+    return with_shoulder(beta, eta, field_angle, oblique_single(beta, eta, field_angle))
 
 
 def landscape(beta, eta, field_angle):
@@ -1001,8 +1271,10 @@ def offset_from(rest, angle, turns):
     return pick((abs(offset) <= blur) | (abs(offset) < epsilon() ** 9), 0, offset)
 
 
-class Clamp(NamedTuple):
+class Clamp(Record):
     """The clamp angle in a landscape: whole turns, and its offset from each direction without moment."""
+
+    __slots__ = ()
 
     turns: int
     offsets: tuple[mpf, ...]
@@ -1017,33 +1289,43 @@ def clamp_in(rests, angle):
         if not any_of(shift != 0):
             break
         turns = turns + shift
-    return Clamp(turns, offsets)
+    return Clamp((turns, offsets))
 
 
-class Ground(NamedTuple):
+class Ground(Record):
     """What the ranges of a rod are told by: its landscape and the clamp's offsets from the directions there.
 
-    drop: V(hill) − V(ridge); level: from the hill to the level of the ridge; height: V(ridge) − V(clamp). They are 0
-    where no ridge is lower than the hill.
+    drop: V(hill) − V(ridge); level: from the hill to the level of the ridge, depth: from there to the well; by_hill:
+    level is told by the hill, depth by the well if not; height: V(ridge) − V(clamp). They are 0 where no ridge is lower
+    than the hill.
     """
+
+    __slots__ = ()
 
     eta: mpf
     scene: Landscape
     at: tuple[mpf, ...]
     drop: mpf
     level: mpf
+    depth: mpf
+    by_hill: bool
     height: mpf
 
 
 def level_ground(eta, scene, at):
     """The ground without a ridge lower than the hill."""
-    return Ground(eta, scene, at, 0, 0, 0)
+    return Ground((eta, scene, at, 0, 0, 0, True, 0))
 
 
 def ridge_fall(beta, eta, field_angle, hill, ridge):
     """V(hill) − V(ridge): the sine of half their distance times the slope of V between, as if it were a circle."""
     half, middle = (ridge.extra - hill.extra) / 2, pi / 2 + (hill.extra + ridge.extra) / 2
     return cos(half) * (2 * beta * sin(middle) - eta * sin(half) * sin(2 * (middle - field_angle)))
+
+
+def turn_to(start, end):
+    """The angle from one direction without moment to another, however near they are to each other."""
+    return (end.quarters - start.quarters) * (pi / 2) + (end.extra - start.extra)
 
 
 def fall_from_rest(eta, stiffness, double_cosine, double_sine, middle, half):
@@ -1064,11 +1346,6 @@ def fall(eta, rest, start, change):
     """V(start) − V(start + change), from a start measured from a direction without moment."""
     half = change / 2
     return fall_from_rest(eta, rest.stiffness, rest.double_cosine, rest.double_sine, start + half, half)
-
-
-def pick_rest(condition, yes, no):
-    """One or the other direction, number by number."""
-    return Rest(*(pick(condition, *pair) for pair in zip(yes, no, strict=True)))
 
 
 def step_to(eta, rest, offset, goal):
@@ -1114,15 +1391,15 @@ def reach(eta, rest, amount, most, side):
 def ridge_ground(eta, scene, at, drop):
     """The ground with a lower ridge."""
     rests = scene.rests
-    down, above = rests[1].angle - rests[0].angle, fall(eta, rests[2], 0, rests[1].angle - rests[2].angle)
+    down, above = turn_to(rests[0], rests[1]), fall(eta, rests[2], 0, turn_to(rests[2], rests[1]))
     # Of a ridge that is next to its wells V tells at the hill nothing.
     by_hill = drop < above
     rest, amount = pick_rest(by_hill, rests[0], rests[1]), pick(by_hill, drop, above)
     distance = reach(eta, rest, amount, down, pick(by_hill, 1, -1))
-    level = pick(by_hill, distance, down - distance)
+    level, depth = pick(by_hill, distance, down - distance), pick(by_hill, down - distance, distance)
     # Near the far hill V says which is higher only by the distance from that hill.
     height = pick(at[2] < -at[4], fall(eta, rests[2], 0, at[2]), fall(eta, rests[4], 0, at[4]) - drop)
-    return Ground(eta, scene, at, drop, level, height)
+    return Ground((eta, scene, at, drop, level, depth, by_hill, height))
 
 
 def ground_of(beta, eta, field_angle, scene, clamp):
@@ -1142,13 +1419,16 @@ def in_basin(at, first, inside, builders):
     return [(inside & (at[first + 1] <= 0), builders[0]), (inside & (at[first + 1] > 0), builders[1])]
 
 
-class Basin(NamedTuple):
+class Basin(Record):
     """What stops the rod and what it swings about: the hill that tips come from and the well below them, the hill
     that stops the motion and the last well before it, and the direction where it is slowest between its ends: the
     ridge that it passes, or the well.
 
-    far_rise: V(far) − V(hill). even: the motion is symmetric about its middle.
+    far_rise: V(far) − V(hill). even: the motion is symmetric about its middle. whole: far is the hill a turn on.
+    shoulder, moment: of a landscape in which a ridge is nearly there.
     """
+
+    __slots__ = ()
 
     hill: Rest
     well: Rest
@@ -1158,14 +1438,19 @@ class Basin(NamedTuple):
     far_rise: mpf
     passes: bool
     even: bool
+    whole: bool
+    shoulder: Rest | None
+    moment: mpf
 
 
-class Piece(NamedTuple):
+class Piece(Record):
     """Tip angles from low to low + width in a basin; angles as differences, told without loss.
 
     low_kind: 'hill', or 'level', where V is that of the ridge. high_kind: 'clamp', the clamp angle itself; 'turn', the
     angle from which the rod turns back at the clamp angle; 'level'.
     """
+
+    __slots__ = ()
 
     basin: Basin
     low_kind: str
@@ -1178,6 +1463,9 @@ class Piece(NamedTuple):
     clamp_rest: Rest  # the direction next to the clamp
     clamp_offset: mpf  # clamp − that direction
     far_gap: mpf  # far − clamp
+    beyond_well: mpf  # clamp − far_well
+    past_hill: mpf  # clamp − hill
+    past_well: mpf  # clamp − well
 
 
 def piece_of(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, at):
@@ -1188,8 +1476,9 @@ def piece_of(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_ga
         closer = abs(distance) < abs(offset)
         if any_of(closer):
             rest, offset = pick_rest(closer, other, rest), pick(closer, distance, offset)
-    last = at[len(rests) - 1]
-    return Piece(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last)
+    beyond, last = at[len(rests) - 2 : len(rests)]
+    ends = low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap
+    return Piece((basin, *ends, rest, offset, -last, beyond, at[0], at[1]))
 
 
 def from_hill_to_clamp(basin, at):
@@ -1201,8 +1490,10 @@ def basin_of(ground, first):
     """The basin between two neighbouring hills."""
     scene = ground.scene
     hill, well, far = scene.rests[first : first + 3]
-    even = scene.even and (scene.level or len(scene.rests) == 3)
-    return Basin(hill, well, far, well, well, ground.drop if first else 0, False, even)
+    whole = len(scene.rests) == 3
+    even = scene.even and (scene.level or whole)
+    rise, beside = ground.drop if first else 0, (scene.shoulder, scene.moment)
+    return Basin((hill, well, far, well, well, rise, False, even, whole, *beside))
 
 
 def first_clamp(ground):
@@ -1212,7 +1503,7 @@ def first_clamp(ground):
 
 def from_hill_to_turn(eta, basin, at):
     """From a hill to where the rod turns back at a clamp beyond the well."""
-    down, depth = basin.well.angle - basin.hill.angle, at[1]
+    down, depth = turn_to(basin.hill, basin.well), at[1]
     width = -at[2]
     if not basin.even:
         above = -fall(eta, basin.well, 0, at[1])
@@ -1242,7 +1533,7 @@ def last_turn(ground):
 def over_ridge(ground):
     """What stops a motion that passes the ridge."""
     hill, well, ridge, second, far = ground.scene.rests
-    return Basin(hill, well, far, second, ridge, 0, True, ground.scene.even)
+    return Basin((hill, well, far, second, ridge, 0, True, ground.scene.even, True, None, 0.0))
 
 
 def pass_clamp(ground):
@@ -1253,8 +1544,9 @@ def pass_clamp(ground):
 
 def pass_level(ground):
     """From the highest hill to the level of the ridge."""
-    over, level, at = over_ridge(ground), ground.level, ground.at
-    return piece_of(over, "hill", "level", 0, level, over.well.angle - over.hill.angle - level, at[0] - level, 0, at)
+    level, depth, at = ground.level, ground.depth, ground.at
+    gap = pick(ground.by_hill, at[0] - level, at[1] + depth)
+    return piece_of(over_ridge(ground), "hill", "level", 0, level, depth, gap, 0, at)
 
 
 def moment_from_rest(eta, stiffness, double_cosine, double_sine, offset):
@@ -1267,18 +1559,19 @@ def slope(eta, rest, offset):
     return moment_from_rest(eta, rest.stiffness, rest.double_cosine, rest.double_sine, offset)
 
 
-def onward(eta, rest, start, amount, rough, wanted):
-    """How far beyond ``start``, an offset from a direction without moment, V has fallen by ``amount``.
+def onward(eta, rest, start, amount, rough, wanted, moment=0):
+    """How far beyond ``start``, an offset from a direction of that moment, V has fallen by ``amount``.
 
     The rough value is good to rounding of the angles; where little of it is left, the slope of V at the start gives a
     better one. Newton's method does the rest, until all that are wanted are found.
     """
-    steep = slope(eta, rest, start)
+    steep = slope(eta, rest, start) + moment * cos(start)
     told = (abs(rough) > mpf("0.001") * abs(start)) | (steep == 0)
     distance = pick(told, rough, amount / pick(told, 1, steep))
     for _ in range(40):
-        force = slope(eta, rest, start + distance)
-        step = (fall(eta, rest, start, distance) - amount) / pick(force == 0, 1, force)
+        force = slope(eta, rest, start + distance) + moment * cos(start + distance)
+        fallen = fall(eta, rest, start, distance) + 2 * moment * cos(start + distance / 2) * sin(distance / 2)
+        step = (fallen - amount) / pick(force == 0, 1, force)
         away = abs(distance - step) > pi
         stuck = away & (distance == rough)
         distance = pick(away, rough, distance - step)
@@ -1290,12 +1583,21 @@ def onward(eta, rest, start, amount, rough, wanted):
 def pass_turn(ground):
     """From the highest hill to where the rod turns back at a clamp above the level of the ridge, beyond it."""
     eta, over, level, at = ground.eta, over_ridge(ground), ground.level, ground.at
-    down = over.well.angle - over.hill.angle
-    width = -at[4] if over.even else reach(eta, over.hill, fall(eta, over.far, 0, at[4]), down, 1)
+    down, below = turn_to(over.hill, over.well), fall(eta, over.far, 0, at[4])
+    # V of the clamp above the first well: above the ridge, and the ridge above the well.
+    above = fall(eta, over.axis, 0, turn_to(over.axis, over.well)) - ground.height
+    by_hill = below < above
+    rest, amount = pick_rest(by_hill, over.hill, over.well), pick(by_hill, below, above)
+    distance = reach(eta, rest, amount, down, pick(by_hill, 1, -1))
+    width, depth = pick(by_hill, distance, down - distance), pick(by_hill, down - distance, distance)
+    if over.even:
+        width = -at[4]
     # Towards the hill V is flat and tells little, but there the angles tell all.
-    near = width >= level / 2
-    gap = pick(near, -onward(eta, over.hill, level, ground.height, width - level, near), level - width)
-    return piece_of(over, "hill", "turn", 0, width, down - width, at[0] - width, gap, at)
+    near, apart = width >= level / 2, pick(by_hill, level - width, depth - ground.depth)
+    start = pick(ground.by_hill, level, -ground.depth)
+    rest = pick_rest(ground.by_hill, over.hill, over.well)
+    gap = pick(near, -onward(eta, rest, start, ground.height, -apart, near), apart)
+    return piece_of(over, "hill", "turn", 0, width, depth, pick(by_hill, at[0] - width, at[1] + depth), gap, at)
 
 
 def level_clamp(ground):
@@ -1307,7 +1609,7 @@ def level_clamp(ground):
 def level_turn(ground):
     """From the level of the ridge to where the rod turns back at the clamp, before the ridge."""
     eta, basin, level, at = ground.eta, basin_of(ground, 0), ground.level, ground.at
-    down = basin.well.angle - basin.hill.angle
+    down = turn_to(basin.hill, basin.well)
     above, below = -fall(eta, basin.well, 0, at[1]), fall(eta, basin.far, 0, at[2])
     from_well = reach(eta, basin.well, above, down, -1)
     # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
@@ -1347,12 +1649,14 @@ def slowness(hill):
     return 1 / sqrt(hill.stiffness) if hill.stiffness > 0 else 0
 
 
-class Delay(NamedTuple):
+class Delay(Record):
     """By how much a motion lasts longer when the place goes deeper by one, where that is all that changes.
 
     Near an end the rod is straight for long along the directions at which the motion nearly rests: at the tip, in the
     middle, and at the far turning point. arrival: the share of ``middle`` before the first arrival.
     """
+
+    __slots__ = ()
 
     deepest: mpf
     tip: mpf
@@ -1364,7 +1668,7 @@ class Delay(NamedTuple):
 def ridge_offset(piece):
     """Clamp less ridge, for a motion that passes the ridge."""
     ridge, rest = piece.basin.axis, piece.clamp_rest
-    return piece.clamp_offset if rest.angle == ridge.angle else rest.angle - ridge.angle
+    return piece.clamp_offset if rest.angle == ridge.angle else turn_to(ridge, rest)
 
 
 def delays(piece):
@@ -1374,15 +1678,15 @@ def delays(piece):
         depth = 2 * depth / 3
     # With next to no moment at the clamp a rod is straight but for an offset whose square would underflow.
     straight = piece.high_kind == "clamp" and abs(piece.clamp_offset) < epsilon() ** 5
-    far, none = slowness(basin.far), Delay(2 * depth if straight else depth, 0, 0, 0, 0)
+    far, none = slowness(basin.far), Delay((2 * depth if straight else depth, 0, 0, 0, 0))
     if piece.low_kind == "level":
-        return Delay(depth, 0, 0, far / 2, 0), none
-    low = Delay(depth, slowness(basin.hill), 0, far if basin.far_rise == 0 else 0, 0)
+        return Delay((depth, 0, 0, far / 2, 0)), none
+    low = Delay((depth, slowness(basin.hill), 0, far if basin.far_rise == 0 else 0, 0))
     if piece.high_kind != "level":
         return low, none
     ridge = slowness(basin.axis)
     behind = ridge_offset(piece)
-    return low, Delay(depth, 0, ridge, 0, ridge if behind > 0 else ridge / 2 if behind == 0 else 0)
+    return low, Delay((depth, 0, ridge, 0, ridge if behind > 0 else ridge / 2 if behind == 0 else 0))
 
 
 def within(sine):
@@ -1401,12 +1705,14 @@ def parallel_side(beta, eta, piece, rise, drop, from_hill, depth):
     # sin² and cos² of half the distance from the far turning point to the far hill.
     low, high = sqrt(larger(low, 0)), sqrt(larger(high, 0))
     distance = 2 * atan2(low, high)
-    down = basin.far.angle - basin.far_well.angle
+    down = turn_to(basin.far_well, basin.far)
     dip = sin(from_hill + depth / 2) * sin(depth / 2)
     up = 2 * asin(within(dip / sin((down + distance) / 2)))
     if piece.high_kind == "turn":
         share = sin(from_hill + drop / 2) * sin(drop / 2) / sin((piece.far_gap + distance) / 2)
-        left = 2 * asin(within(share))
+        # The clamp's own distance from the hill is exact, the range's width is not.
+        rough = piece.far_gap - distance
+        left = pick(rough > 0.25 * piece.far_gap, rough, 2 * asin(within(share)))
     else:
         left = up + piece.high_depth
     return (up + depth) / 2, left, 4 * eta * dip * low * high, distance
@@ -1422,50 +1728,77 @@ def reach_either(eta, hill, well, by_hill, amount, most):
     return reach(eta, rest, amount, most, pick(by_hill, -1, 1))
 
 
-def beyond_clamp(eta, piece, drop, rough):
+def wrapped(angle):
+    """The angle less whole turns, between −π and π."""
+    return angle - 2 * pi * floor(angle / (2 * pi) + 0.5)
+
+
+def beyond_clamp(eta, piece, rise, drop, rough):
     """How far the motion goes beyond the clamp, when the tip is ``drop`` below the one that turns there.
 
     V falls by the same amount on both sides. The rough value is as good as its difference to the clamp's distance
     from a hill or a well allows.
     """
-    basin, rest, start = piece.basin, piece.clamp_rest, piece.clamp_offset
-    high = -piece.high_depth
-    amount = fall(eta, basin.well, high - drop, drop)
+    basin, rest, start, moment = piece.basin, piece.clamp_rest, piece.clamp_offset, 0
+    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
+    upper = from_hill < depth
+    amount = fall(eta, pick_rest(upper, basin.hill, basin.well), pick(upper, from_hill, -depth), drop)
     far = rough > 0.25 * abs(start)
-    better = onward(eta, rest, start, -amount, rough, far == 0)
+    if basin.shoulder is not None:
+        apart = wrapped(rest.angle + start - basin.shoulder.angle)
+        near = 2 * abs(apart) < abs(start)
+        rest, start = pick_rest(near, basin.shoulder, rest), pick(near, apart, start)
+        moment, far = pick(near, basin.moment, 0), pick(near, rough > 0.25, far)
+    better = onward(eta, rest, start, -amount, rough, far == 0, moment)
     # Newton's method leaves a place where V is nearly level for one far away.
     return pick(far | (abs(better - rough) > mpf("0.01")), rough, better)
 
 
-def far_side(eta, piece, rise, drop, depth, done):
+def beside_shoulder(eta, basin, angle, offset, moment):
+    """θ″ at an angle, by the shoulder of V if that is nearer than the direction by whose offset it was told."""
+    if basin.shoulder is None:
+        return moment
+    apart = wrapped(angle - basin.shoulder.angle)
+    told = basin.moment * cos(apart) + slope(eta, basin.shoulder, apart)
+    return pick(2 * abs(apart) < abs(offset), told, moment)
+
+
+def least_moment(basin):
+    """What rounding leaves at least of a moment, by the distance from the direction that tells it: where a hill and a
+    well all but meet, and are not among the directions that are told, it would leave nothing, or less."""
+    return epsilon() ** 2 if basin.passes or not basin.whole else 4 * epsilon()
+
+
+def far_side(eta, piece, rise, drop, depth, done, height):
     """Half the width of the motion, how far it goes on beyond the clamp, and the moment where it turns."""
     basin = piece.basin
     hill, well, far, far_well = basin.hill, basin.well, basin.far, basin.far_well
-    down = far.angle - far_well.angle
+    down = turn_to(far_well, far)
     if piece.low_kind == "level":
         below = fall(eta, hill, piece.low_offset, rise)
     else:
         below = basin.far_rise + fall(eta, hill, 0, rise)
     if basin.passes:
-        # Not below the ridge, however near it is to the well behind it.
-        ridge = fall(eta, basin.axis, 0, far_well.angle - basin.axis.angle)
-        above = larger(-fall(eta, far_well, 0, down) - below, ridge)
+        # Above the ridge by its height, and the ridge above the well behind it.
+        above = height + fall(eta, basin.axis, 0, turn_to(basin.axis, far_well))
     else:
         above = -fall(eta, well, 0, -depth)
     by_hill = below < above
     distance = reach_either(eta, far, far_well, by_hill, pick(by_hill, below, above), down)
     turn = pick(by_hill, down - distance, distance)  # far turning point − far_well
-    # clamp − far_well
-    clamp_turn = down - piece.far_gap if basin.passes else piece.clamp_gap - piece.high_depth
-    left = pick(by_hill, piece.far_gap - distance, distance - clamp_turn)
-    if basin.passes:
-        half_width = (turn + depth + (far_well.angle - well.angle)) / 2
+    left = pick(by_hill, piece.far_gap - distance, distance - piece.beyond_well)
+    if piece.high_kind == "turn":
+        left = larger(beyond_clamp(eta, piece, rise, drop, left), 0)
+    if basin.shoulder is not None:
+        # V may be so nearly level there that only from the clamp is it told where the motion turns.
+        turn, half_width = piece.beyond_well + left, (done + left) / 2
+    elif basin.passes:
+        half_width = (turn + depth + turn_to(well, far_well)) / 2
     else:
         half_width = (turn + depth) / 2
     far_moment = pick(by_hill, slope(eta, far, -distance), slope(eta, far_well, distance)) * -1
-    far_moment = larger(far_moment, 4 * epsilon() * distance)
-    if piece.high_kind == "turn":
-        left = larger(beyond_clamp(eta, piece, drop, left), 0)
+    far_moment = -beside_shoulder(eta, basin, far_well.angle + turn, distance, -far_moment)
+    far_moment = larger(far_moment, least_moment(basin) * distance)
     return half_width, left, far_moment, pick(by_hill, distance, down - distance)
 
 
@@ -1476,52 +1809,51 @@ def unevenness(eta, field_angle, middle, sine, near, far):
     return pick(apart, sqrt(far) - sqrt(near), by_turns)
 
 
-def wrapped(angle):
-    """The angle less whole turns, between −π and π."""
-    return angle - 2 * pi * floor(angle / (2 * pi) + 0.5)
-
-
-def above_field(eta, basin, middle, half_width, field_angle, height):
+def above_field(eta, basin, offset, turn, height):
     """``mean`` less η where they are near each other: 2(V(tip) − V)/(cos(θ − middle) − cos(half_width)) at the θ at
-    which it is least, which lies then near the ridge or the well. height: from there to the tip."""
-    shift = wrapped(2 * (field_angle - middle))
-    offset = wrapped(middle + shift - basin.axis.angle)
+    which it is least, which lies then near the ridge or the well, at an offset from it.
+
+    turn: half of what it is divided by. height: V(tip) less that of the ridge or the well.
+    """
     # As near the ridge as rounding it is nearer still: it is there to the second order in the height.
     offset = pick(abs(offset) < 32 * spacing(offset), 0, offset)
-    outer, inner = sin(half_width / 2), sin(shift / 2)
-    turn = outer * outer - inner * inner
     return (height + fall(eta, basin.axis, 0, offset)) / pick(turn == 0, 1, turn)
 
 
-def mean_less_field(eta, field_angle, basin, middle, half_width, double, near, far, height, mean):
+def mean_less_field(eta, basin, centre, half_width, near, far, height, mean):
     """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
     level."""
     apart = mean - eta
     close = apart <= mpf("0.1") * eta
     if any_of(close):
-        ahead, behind = sin(half_width / 2 + double / 2), sin(half_width / 2 - double / 2)
+        # 2(axis − α), and 2(middle − α).
+        axis = atan2(basin.axis.double_sine, basin.axis.double_cosine)
+        double = wrapped(axis + 2 * centre)
+        ahead, behind = sin((half_width + double) / 2), sin((half_width - double) / 2)
         by_far, by_near = far - 2 * eta * ahead * ahead, near - 2 * eta * behind * behind
         known = pick(2 * by_far > far, by_far, by_near)
         far_off = close & (2 * by_far <= far) & (2 * by_near <= near)
         if any_of(far_off):
-            known = pick(far_off, above_field(eta, basin, middle, half_width, field_angle, height), known)
+            # Not from a well that is far from where V is nearly level: there V tells least.
+            told, turn = pick(near < far, by_near, by_far), ahead * behind
+            there = above_field(eta, basin, wrapped(-axis - centre), turn, height)
+            known = pick(far_off, pick(height <= abs(turn) * eta * (abs(ahead) + abs(behind)), there, told), known)
         apart = pick(close, known, apart)
     # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.
     least = larger(height, epsilon() ** 19) if basin.passes else epsilon() * pick(near < far, near, far) / 4
     return larger(apart, least)
 
 
-def rates(beta, eta, field_angle, basin, tip, half_width, sine, near, far, height):
-    """dχ/dσ at the ends and in the middle of the motion."""
-    middle, cosine = tip + half_width, cos(half_width)
-    double = 2 * (middle - field_angle)
-    cos_middle, cos_double = cos(middle), cos(double)
+def rates(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height):
+    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle."""
+    middle, cosine = basin.axis.angle + centre, cos(half_width)
+    cos_middle, cos_double = cos(middle), cos(2 * (middle - field_angle))
     product = sqrt(near) * sqrt(far)
     excess = -(2 * beta * cos_middle * cosine + eta * cos_double * (1 + cosine * cosine))
     split, rate = excess < 0, sqrt(product + larger(excess, 0))
     if any_of(split):
         mean = -(2 * beta * cos_middle + eta * cosine * cos_double)
-        apart = mean_less_field(eta, field_angle, basin, middle, half_width, double, near, far, height, mean)
+        apart = mean_less_field(eta, basin, centre, half_width, near, far, height, mean)
         rate = pick(split, sine * sqrt(apart * (mean + eta) / pick(split, product - excess, 1)), rate)
     return sqrt(product / 2), rate / 2
 
@@ -1542,20 +1874,22 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     # How far V falls from the tip to the well, or to the level of a ridge that the motion passes.
     change = (drop + piece.level_gap if basin.passes else depth) / 2
     height = fall_from_rest(eta, stiffness, double_cosine, double_sine, offset + change, change)
-    done = piece.clamp_gap + drop
+    # Near the high end the clamp is told from there, else as the tip is: the clamp's own distances are exact.
+    done, apart = piece.clamp_gap + drop, pick(upper, piece.past_hill - from_hill, piece.past_well + depth)
+    done = pick(done < 0.5 * pick(upper, from_hill, abs(piece.past_well)), done, apart)
     if basin.even:
-        half_width = depth + (basin.axis.angle - well.angle)
+        half_width = depth + turn_to(well, basin.axis)
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
         far_moment, far_distance = near_moment, from_hill
     elif any_of(field_angle == 0) and not basin.passes:
         half_width, left, far_moment, far_distance = parallel_side(beta, eta, piece, rise, drop, from_hill, depth)
+        half_width = (done + left) / 2 if piece.high_kind == "turn" else half_width
     else:
-        half_width, left, far_moment, far_distance = far_side(eta, piece, rise, drop, depth, done)
-        # Where a hill and a well nearly meet, rounding leaves nothing, or less, of a moment.
-        near_moment = larger(near_moment, 4 * epsilon() * abs(offset))
+        half_width, left, far_moment, far_distance = far_side(eta, piece, rise, drop, depth, done, height)
+        near_moment = beside_shoulder(eta, basin, tip, offset, near_moment)
+        near_moment = larger(near_moment, least_moment(basin) * abs(offset))
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
-    whole_turn = basin.far.quarters - hill.quarters == 4 and basin.far.extra == hill.extra
-    lack = (from_hill + far_distance) / 2 if whole_turn else pi - half_width
+    lack = (from_hill + far_distance) / 2 if basin.whole else pi - half_width
     sine = sin(pick(lack < half_width, lack, half_width))
     near, far = 2 * near_moment / sine, 2 * far_moment / sine
     uneven = 0 if basin.even else unevenness(eta, field_angle, tip + half_width, sine, near, far)
@@ -1563,23 +1897,26 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     done_sine = sin(pick(done > pi, lack + left / 2, done / 2))
     left_sine = sin(pick(left > pi, lack + done / 2, left / 2))
     half_cosine = sin(lack / 2)
-    end, middle = rates(beta, eta, field_angle, basin, tip, half_width, sine, near, far, height)
+    centre = half_width - depth - turn_to(well, basin.axis)
+    end, middle = rates(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height)
     return Motion(
-        tip,
-        half_width,
-        done,
-        left,
-        near_moment,
-        far_moment,
-        near,
-        far,
-        end,
-        middle,
-        sine,
-        half_cosine,
-        uneven,
-        done_sine,
-        left_sine,
+        (
+            tip,
+            half_width,
+            done,
+            left,
+            near_moment,
+            far_moment,
+            near,
+            far,
+            end,
+            middle,
+            sine,
+            half_cosine,
+            uneven,
+            done_sine,
+            left_sine,
+        )
     )
 
 
@@ -1590,15 +1927,17 @@ def stay_at(beta, eta, field_angle, piece, ends, place):
     depth = min(abs(place), delay.deepest)
     more = abs(place) - depth
     motion = motion_at(beta, eta, field_angle, piece, -depth if place < 0 else depth)
-    return Stay(motion, more * delay.tip, more * delay.middle, more * delay.far, more * delay.arrival)
+    return Stay((motion, more * delay.tip, more * delay.middle, more * delay.far, more * delay.arrival))
 
 
-class Phase(NamedTuple):
+class Phase(Record):
     """Where on its half-swing the motion meets the clamp.
 
     The length from the tip is ∫dψ/√(a² cos²ψ + b² sin²ψ) from 0 to ψ, with a and b half of ``end`` and ``middle``; the
     half-swing ends at ψ = π/2. whole, delta: what the speed there follows from.
     """
+
+    __slots__ = ()
 
     square: mpf  # sin²ψ
     rest: mpf  # cos²ψ
@@ -1621,7 +1960,7 @@ def phase_of(motion):
     delta = hypot(end * cosine, motion.middle * sqrt(square))
     half = pick(first, half_square(end, square, size, delta), half_square_beyond(end, size, delta))
     rest = pick(first, half_rest(end, size, delta), half_rest_beyond(end, motion.middle, square, size, delta))
-    return Phase(half, rest, whole, delta)
+    return Phase((half, rest, whole, delta))
 
 
 def lengths(a, b, square, rest):
@@ -1640,11 +1979,13 @@ def lengths(a, b, square, rest):
     return pi / (2 * mean), atan2(sqrt(square), sqrt(rest)) / mean
 
 
-class Sample(NamedTuple):
+class Sample(Record):
     """Half-swing and first arrival at a place of a piece, and of what they are: the motion and its phase at the clamp.
 
     The motion alone has the half-swing and the arrival without the lengths for which it stays anywhere.
     """
+
+    __slots__ = ()
 
     place: mpf
     swing: mpf
@@ -1661,16 +2002,18 @@ def sample_at(beta, eta, field_angle, piece, ends, place):
     phase = phase_of(motion)
     regular = swing, arrival = lengths(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
     swing, arrival = swing + stay.tip + stay.middle + stay.far, arrival + stay.tip + stay.arrival
-    return Sample(place, swing, arrival, stay, phase, regular)
+    return Sample((place, swing, arrival, stay, phase, regular))
 
 
 def least_arrival(beta, eta, piece, place):
     """A length before which no motion from a place, or from a lower one, arrives.
 
-    θ″ is nowhere more than β + η/2, and at an offset from the hill no more than β + η times that: a motion that has
-    the lesser of these two gets ahead of it.
+    θ″ is nowhere more than β + η/2, and at an offset from the hill no more than β + η times that, or than its stiffness
+    times that where the field is along it: a motion that has the lesser of these two gets ahead of it.
     """
-    steep, most = beta + eta, beta + eta / 2
+    hill = piece.basin.hill
+    # β + η cos u and η cos u − β by sin u: both are largest at u = 0.
+    steep, most = hill.stiffness if hill.double_cosine == 1 else beta + eta, beta + eta / 2
     share = 1 / (1 + exp(-max(place, -deepest(piece.width))))
     offset = piece.low_offset + piece.width * share
     clamp = piece.low_offset + piece.width + piece.clamp_gap
@@ -1718,17 +2061,22 @@ def grid(beta, eta, length, piece):
     return sorted(inner)
 
 
+def ridge_couple(beta, eta, field_angle, x):
+    """The couple on a rod that points along α + π + x."""
+    return twist(eta, x) - beta * sin(field_angle + x)
+
+
 def places(beta, eta, field_angle, length, piece):
     """Places to begin with, closer around the level at which the motion meets a ridge that is not quite there."""
     found, basin = grid(beta, eta, length, piece), piece.basin
-    if basin.even or basin.passes or piece.low_kind == "level" or basin.far.quarters - basin.hill.quarters != 4:
+    if basin.even or basin.passes or piece.low_kind == "level" or not basin.whole:
         return found
     angle = abs(field_angle)
     cusp = angle + pi + astroid_cusp(angle)
     # How far η is below the value at which the ridge would appear.
     missing = max(-ridge_couple(beta, eta, angle, astroid_cusp(angle)) / (beta + eta), epsilon())
     cusp = cusp if field_angle > 0 else 2 * pi - cusp
-    down = basin.well.angle - basin.hill.angle
+    down = turn_to(basin.hill, basin.well)
     rise = reach(eta, basin.hill, fall(eta, basin.hill, 0, cusp - basin.hill.angle), down, 1)
     if missing > mpf("0.3") or not 0 < rise < piece.width:
         return found
@@ -1746,59 +2094,64 @@ def arrives_convexly(field_angle, piece):
     return known and piece.clamp_gap > piece.high_depth
 
 
-def convex_bound(found, gap, fallen):
-    """What a convex arrival is nowhere less than in a gap between samples: the chords beside it, carried on."""
-    one, other = found[gap], found[gap + 1]
-    width, bound = fallen(one, other), -inf
-    for near, far in ((gap, gap - 1), (gap + 1, gap + 2)):
-        if 0 <= far < len(found):
-            beside = fallen(found[min(near, far)], found[max(near, far)])
+def ends_of(found, places, gap):
+    """The places between which a gap lies: before the sample of its number, or behind the last."""
+    return found[gap - 1].place if gap > 0 else places[0], found[gap].place if gap < len(found) else places[-1]
+
+
+def convex_bound(found, gap, width, fallen):
+    """What a convex arrival is nowhere less than in a gap before a sample: the chords beside it, carried on.
+
+    width: how far V falls from one end of the gap to the other.
+    """
+    bound = -inf
+    for near, far in ((gap - 1, gap - 2), (gap, gap + 1)):
+        if min(near, far) >= 0 and max(near, far) < len(found):
+            beside = abs(fallen(found[near].place, found[far].place))
             if beside > 0:
                 steep = (found[far].arrival - found[near].arrival) / beside
                 bound = max(bound, found[near].arrival - max(steep * width, 0))
     return bound
 
 
-def open_gap(found, fallen, length):
-    """The wider gap beside the least sample in which a convex arrival may be no longer than the length, or None."""
+def open_gap(found, places, fallen, length):
+    """The gap beside the least sample in which a convex arrival may be least and no longer than the length, or None."""
     least = min(range(len(found)), key=lambda k: found[k].arrival)
-    best, widest = None, 2 * sqrt(epsilon()) * (1 + abs(found[least].place))
-    for gap in (least - 1, least):
-        if 0 <= gap < len(found) - 1:
-            width = found[gap + 1].place - found[gap].place
-            if width > widest and convex_bound(found, gap, fallen) <= (1 + mpf("1e-09")) * length:
-                best, widest = gap, width
+    best, bound = None, (1 + mpf("1e-09")) * length
+    for gap in (least, least + 1):
+        low, high = ends_of(found, places, gap)
+        if high - low > 2 * sqrt(epsilon()) * (1 + abs(found[least].place)):
+            lowest = convex_bound(found, gap, fallen(low, high), fallen)
+            if lowest <= bound:
+                best, bound = gap, lowest
     return best
 
 
-def inner(places, one, other, always):
-    """The middle one of the places between two samples; where there is none, half way if ``always``, else None."""
-    inside = [place for place in places if one.place < place < other.place]
-    if inside:
-        return inside[len(inside) // 2]
-    return (one.place + other.place) / 2 if always else None
+def inside(places, low, high):
+    """The middle one of the places in a gap; where there is none, half way, or its end if that is one of all."""
+    within = [place for place in places if low < place < high]
+    if within:
+        return within[len(within) // 2]
+    return (low + high) / 2
 
 
 def valley(sample, places, fallen, length):
     """Samples on both sides of every crossing of a length that is shorter than a half-swing, for a convex arrival.
 
-    Without a crossing there may be none. fallen(one, other): how far V falls from the tip of a sample to the next.
+    Without a crossing there may be none. fallen(low, high): how far V falls between the tips at two places.
     """
-    found = [sample(place) for place in sorted({places[0], places[len(places) // 2], places[-1]})]
+    last = len(places) - 1
+    found = [sample(places[k]) for k in sorted({last // 4, last // 2, last - last // 4})]
     while min(item.arrival for item in found) > length:
-        gap = open_gap(found, fallen, length)
+        gap = open_gap(found, places, fallen, length)
         if gap is None:
             return []
-        found.insert(gap + 1, sample(inner(places, found[gap], found[gap + 1], True)))
-    done, todo = [found[0]], found[:0:-1]
-    while todo:
-        crossed = (done[-1].arrival > length) != (todo[-1].arrival > length)
-        place = inner(places, done[-1], todo[-1], False) if crossed else None
-        if place is None:
-            done.append(todo.pop())
-        else:
-            todo.append(sample(place))
-    return done
+        found.insert(gap, sample(inside(places, *ends_of(found, places, gap))))
+    while found[0].arrival <= length and found[0].place > places[0]:
+        found.insert(0, sample(max(place for place in places if place < found[0].place)))
+    while found[-1].arrival <= length and found[-1].place < places[-1]:
+        found.append(sample(min(place for place in places if place > found[-1].place)))
+    return found
 
 
 def bends(first, second, third, length):
@@ -1874,7 +2227,7 @@ def samples_on(beta, eta, field_angle, length, piece, sample, short):
         return least_arrival(beta, eta, piece, place) > (1 + mpf("1e-09")) * length
 
     def fallen(one, other):
-        return fall_between(eta, piece, one.place, other.place)
+        return fall_between(eta, piece, one, other)
 
     if too_low(inf):
         return []
@@ -1898,7 +2251,10 @@ def between(samples, counts, k):
     turns = range(max(ceil(low), 0), max(ceil(high), 0))
     if not turns:
         return []
-    beside = samples[k - 2] if k > 1 else samples[-1] if len(samples) == k + 1 else samples[k + 1]
+    near = 4 * (samples[k].place - samples[k - 1].place)
+    beside = [samples[k - 2]] if k > 1 and samples[k - 1].place - samples[k - 2].place < near else []
+    if k + 1 < len(samples) and samples[k + 1].place - samples[k].place < near:
+        beside.append(samples[k + 1])
     return [(number, samples[k - 1], samples[k], beside) for number in turns]
 
 
@@ -1942,11 +2298,11 @@ def at_extremum(sample, triple, counts, length, sign):
     best = dip(sample, short, left, middle, right)
     if short(best) >= 0:
         return []
-    return [(goal, left, best, right), (goal, best, right, left)]
+    return [(goal, left, best, [right]), (goal, best, right, [left])]
 
 
 def brackets(sample, samples, counts, length, sign):
-    """(turns, sample, sample, a third) for every whole number that the count crosses between the two samples."""
+    """(turns, sample, sample, those beside) for every whole number that the count crosses between the two samples."""
     found = []
     for k in range(1, len(samples)):
         found += between(samples, counts, k)
@@ -1962,42 +2318,66 @@ def excess(item, turns, sign, length):
     return (2 * turns * item.swing if turns else 0) + sign * item.arrival - length
 
 
-def interpolated(a, b, c, value_a, value_b, value_c):
-    """Where on the way from a to b inverse quadratic interpolation puts the zero, or half way where it is unsafe."""
-    if value_c in (value_a, value_b):
-        return 0.5
-    x, y = (a - b) / (c - b), (value_a - value_b) / (value_c - value_b)
-    if x <= 0 or y * y >= x or (1 - y) * (1 - y) >= 1 - x:
-        return 0.5
-    share = value_a / (value_b - value_a) * value_c / (value_b - value_c)
-    share = share + (c - a) / (b - a) * value_a / (value_c - value_a) * value_b / (value_c - value_b)
-    return share if 0 < share < 1 else 0.5
+def with_node(nodes, parts, place, value):
+    """The places of a polynomial and its divided differences, with one more place in front, and no more than five."""
+    found = [value]
+    for k in range(min(len(nodes), 4)):
+        value = (value - parts[k]) / (place - nodes[k])
+        found.append(value)
+    return [place, *nodes[:4]], found
+
+
+def zero_near(nodes, parts):
+    """A zero of a polynomial near its first place; any number where there is none."""
+    last, before, third, fourth = (nodes + 2 * nodes[-1:])[:4]
+    value, slope, bend, twist, rest = (*parts, 0, 0, 0)[:5]
+    zero = last
+    for _ in range(3):
+        steep = slope + (zero - before) * (bend + (zero - third) * (twist + (zero - fourth) * rest))
+        if steep == 0:
+            break
+        zero = last - value / steep
+    return zero
 
 
 def bracketed_root(function, places, values, blur):
-    """A sign change of the function between the first two places, to rounding, by Chandrupatla's method (1997).
+    """A sign change of the function between the first two places, to rounding.
 
-    If there is a third place, it has a value, too. blur: a value that rounding may have made of zero.
+    By the zero of the polynomial through the last five places at which the function is known, or by halving where that
+    gains little. More places may be known than two. blur: a value that rounding may have made of zero.
     """
-    (a, b, *third), (value_a, value_b, *value_third) = places, values
-    fraction = interpolated(a, b, third[0], value_a, value_b, value_third[0]) if third else 0.5
+    nodes, parts = [], []
+    for k in range(len(places) - 1, -1, -1):
+        nodes, parts = with_node(nodes, parts, places[k], values[k])
+    (a, b, *_), (value_a, value_b, *_) = places, values
+    halve = False
     while True:
-        trial = a + fraction * (b - a)
+        if abs(value_b) < abs(value_a):
+            a, b, value_a, value_b = b, a, value_b, value_a
+        least, width = 2 * epsilon() * (1 + abs(a)), abs(b - a)
+        if 2 * least > width or abs(value_a) <= blur:
+            return a
+        share = 0.5 if halve else (zero_near(nodes, parts) - a) / (b - a)
+        if 2 * abs(share) * width < least and abs(value_a) < 16 * blur:
+            return a
+        if -mpf("0.05") < share < 0:  # rounding of the values puts the zero on the wrong side
+            share = -2 * share
+        share = max(least / width, share) if 0 <= share < 1 else 0.5
+        trial = a + min(1 - least / width, share) * (b - a)
         value = function(trial)
+        nodes, parts = with_node(nodes, parts, trial, value)
+        little = 4 * abs(value) > abs(value_a)
         if (value > 0) == (value_a > 0):
-            c, value_c = a, value_a
+            a, value_a = trial, value
         else:
-            c, value_c, b, value_b = b, value_b, a, value_a
-        a, value_a = trial, value
-        best, value_best = (a, value_a) if abs(value_a) < abs(value_b) else (b, value_b)
-        least = 2 * epsilon() * (1 + abs(best)) / abs(b - a)
-        if least > 0.5 or abs(value_best) <= blur:
-            return best
-        fraction = min(1 - least, max(least, interpolated(a, b, c, value_a, value_b, value_c)))
+            b, value_b = trial, value
+        halve = little and 2 * abs(b - a) > width
 
 
-class Crossing(NamedTuple):
+class Crossing(Record):
     """A tip whose rod has the right length, on branch 2·turns·H + sign·t; ``rising``: the branch grows with the tip."""
+
+    __slots__ = ()
 
     sample: Sample
     turns: int
@@ -2005,18 +2385,17 @@ class Crossing(NamedTuple):
     rising: bool
 
 
-def crossing(sample, turns, sign, length, before, after, beside):
-    """The crossing between two samples on either side of it; a third one beside them helps to start."""
+def crossing(sample, turns, sign, length, known):
+    """The crossing between the first two samples, on either side of it; those beside them help to start."""
     seen = {}
 
     def function(place):
         seen[place] = sample(place)
         return excess(seen[place], turns, sign, length)
 
-    known = (before, after, beside)
     values = [excess(item, turns, sign, length) for item in known]
     place = bracketed_root(function, [item.place for item in known], values, epsilon() * length)
-    return Crossing(seen.get(place) or sample(place), turns, sign, values[1] > values[0])
+    return Crossing((seen.get(place) or sample(place), turns, sign, values[1] > values[0]))
 
 
 def crossings(beta, eta, field_angle, length, piece, most):
@@ -2035,7 +2414,7 @@ def crossings(beta, eta, field_angle, length, piece, most):
         for turns, before, after, beside in brackets(sample, samples, counts, length, sign):
             # At least 2·turns − 1 conjugate points, or one more on the branch that has gone on.
             if (turns or sign > 0) and 2 * turns - (sign < 0) <= most:
-                found.append(crossing(sample, turns, sign, length, before, after, beside))
+                found.append(crossing(sample, turns, sign, length, (before, after, *beside)))
     return found
 
 
@@ -2049,6 +2428,12 @@ def index_of(crossing):
     swings = 2 * crossing.turns - (1 if crossing.sign < 0 else 0)
     positive = crossing.rising != (crossing.sign > 0)
     return swings if positive == (swings % 2 == 0) else swings + 1
+
+
+def heading_of(field_angle, motion):
+    """The direction of a motion's tip."""
+    double = 2 * (motion.tip - field_angle)
+    return Heading((cos(motion.tip), sin(motion.tip), cos(double), sin(double)))
 
 
 def rj_pair(x, product, root_sum, p, lift, less, twist):
@@ -2065,7 +2450,7 @@ def rj_pair(x, product, root_sum, p, lift, less, twist):
     target = (epsilon() / 4) ** 0.125
     scale, total = 1, 0
     while any_of(reach > target * scale * abs(mean)):
-        root, root_p = sqrt(x), complex_sqrt(p)
+        root, root_p = sqrt(x), sqrt(p)
         side, across = root_p * root_sum, root * root_sum
         plus, minus = lift + side, lift - side
         cancels = (abs(plus) < abs(minus)) & (scale == 1)
@@ -2088,13 +2473,13 @@ def rj_pair(x, product, root_sum, p, lift, less, twist):
     low = -3 * e2 / 14 + e3 / 6 + 9 * e2 * e2 / 88 - 3 * e4 / 22 - 9 * e2 * e3 / 52 + 3 * e5 / 26
     high = -e2 * e2 * e2 / 16 + 3 * e3 * e3 / 40 + 3 * e2 * e4 / 20 + 45 * e2 * e2 * e3 / 272
     high = high - 9 * (e3 * e4 + e2 * e5) / 68
-    return (1 + low + high) / (scale * mean * complex_sqrt(mean)) + 6 * total
+    return (1 + low + high) / (scale * mean * sqrt(mean)) + 6 * total
 
 
-def shift(eta, double_sine, double_cosine, motion, point, root, square, rest):
+def shift(eta, heading, motion, point, root, square, rest):
     """W as real and imaginary part: ∫e^{iθ} from the tip is e^{iφ}(σ + W)."""
     b, near, far = point.strength, sqrt(motion.near), sqrt(motion.far)
-    twist = mpc(rj_delta_real(eta, b, double_cosine), rj_delta_imag(eta, b, double_sine))
+    twist = mpc(rj_delta_real(eta, b, heading.double_cosine), rj_delta_imag(eta, b, heading.double_sine))
     lift = pair_lift(near, far, motion.uneven, motion.half_cosine, square, rest)
     pole, lifted, less = mpc(point.pole, -b), mpc(lift, -b), mpc(root, -b)
     third = rj_pair(point.one, point.product, point.root_sum, pole, lifted, less, twist)
@@ -2109,42 +2494,45 @@ def kink_at(first, second, point, root, q, m, square, rest):
     others = others_sum(q, root)
     gap = pole_gap(x, abs(x), others, others_product(b, m, root, others), product)
     far = arc_kink(square, delta, across, b, x, near_root, product)
-    return pick(x > 1, arc_kink_tip(first, second, delta, across, b, x, near_root, gap), far)
+    return pick(x > 0.25, arc_kink_tip(first, second, delta, across, b, x, near_root, gap), far)
 
 
 def second_kind(a, b, square, rest, arrival):
     """(b² − a²)∫sin²ψ over the same range as ``arrival``, the length, by the same transformation (DLMF 19.8.19)."""
-    limit, more, weight, growth = 2 * epsilon() ** 0.5, any_of(a > 0), 1, 0
+    limit, more, weight, growth = epsilon() ** 0.5, any_of(a > 0), 1, 0
+    gap = a - b
     while more:
-        more = any_of(abs(a - b) > limit * a)
+        more = any_of(abs(gap) > limit * a)
         delta = phase_rate(a, b, square, rest)
-        growth = growth - weight * second_kind_step(a, b, square, rest, delta, arrival)
         total, below = a + b, a + delta
+        growth = growth - weight * second_kind_step(total, gap, below, square, rest, arrival)
         square, rest = gauss_square(square, total, below), gauss_rest(a, b, square, rest, delta, below)
         a, b, weight = total / 2, sqrt(a * b), 2 * weight
+        gap = gauss_gap(gap, a + b)  # a difference would lose what the weight brings out
     return growth
 
 
-def arc_to(beta, eta, field_angle, motion, point, square, rest, extent):
+def arc_to(beta, eta, heading, motion, point, square, rest, extent):
     """The arc from the tip to a point, at ψ, of the given length."""
-    sine, cosine, lean = sin(motion.tip), cos(motion.tip), motion.tip - field_angle
-    double_sine, double_cosine = sin(2 * lean), cos(2 * lean)
     root = far_root(motion.near, cos(motion.half_width))
-    w_re, w_im = shift(eta, double_sine, double_cosine, motion, point, root, square, rest)
-    y, z = arc_y(sine, cosine, extent, w_re, w_im), arc_z(sine, cosine, extent, w_re, w_im)
+    w_re, w_im = shift(eta, heading, motion, point, root, square, rest)
+    y, z = arc_y(heading.sine, heading.cosine, w_re, w_im), arc_z(heading.sine, heading.cosine, w_re, w_im)
     first, second = motion.end / 2, motion.middle / 2
-    q, m = rest_stiffness(beta, eta, cosine, double_cosine), tip_cubic(beta, eta, sine, double_sine)
+    q = rest_stiffness(beta, eta, heading.cosine, heading.double_cosine)
+    m = tip_cubic(beta, eta, heading.sine, heading.double_sine)
     kink = kink_at(first, second, point, root, q, m, square, rest)
     growth = second_kind(first, second, square, rest, extent)
-    return Arc(y, z, arc_square(beta, eta, cosine, cos(lean), first, root, extent, y, kink, growth))
+    return Arc((y, z, arc_square(beta, first, root, extent, y, kink, growth)))
 
 
-class Point(NamedTuple):
+class Point(Record):
     """A point of a motion by ℘ − c = x and ℘ − e at its three half-period values.
 
     one: ℘ − e₁, with e₁ that of the far turning point. product, root_sum: √(℘ − e₂)√(℘ − e₃) and √(℘ − e₂) + √(℘ − e₃),
     real also where e₂ and e₃ are a complex pair.
     """
+
+    __slots__ = ()
 
     strength: mpf  # b
     pole: mpf  # x
@@ -2157,16 +2545,20 @@ def far_point(motion):
     """The far turning point."""
     b = strength(motion.near_moment)
     pole = point_pole(b, motion.sine, cos(motion.half_width))
-    return Point(b, pole, 0, far_pair_root(motion.end), motion.middle)
+    return Point((b, pole, 0, far_pair_root(motion.end), motion.middle))
 
 
-def with_stays(eta, field_angle, arc, stay, middle, far, basin):
-    """An arc with the straight lengths along the directions at which the motion nearly rests."""
+def with_stays(rod, heading, arc, basin, middle, far):
+    """An arc with the straight lengths along the ridge and the far hill, at which the motion nearly rests.
+
+    Those along the tip's direction change nothing.
+    """
     y, z, square = arc
-    for angle, extent in ((stay.motion.tip, stay.tip), (basin.axis.angle, middle), (basin.far.angle, far)):
-        aligned = cos(angle - field_angle)
-        y, z, square = y + extent * cos(angle), z + extent * sin(angle), square + extent * eta * aligned * aligned
-    return Arc(y, z, square)
+    for angle, extent in ((basin.axis.angle, middle), (basin.far.angle, far)):
+        turned = rod.eta * (cos(2 * (angle - rod.field_angle)) - heading.double_cosine) / 2
+        y, z = y + extent * (cos(angle) - heading.cosine), z + extent * (sin(angle) - heading.sine)
+        square = square + extent * turned
+    return Arc((y, z, square))
 
 
 def clamp_point(motion, phase):
@@ -2177,53 +2569,97 @@ def clamp_point(motion, phase):
     delta = phase_rate(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
     # 2Δ/sin ψ is no less than ``middle``, the square of which may underflow.
     root_sum = larger(pair_root_sum(phase.square, delta), motion.middle)
-    return Point(b, point_pole(b, done, cos(motion.done / 2)), one, product, root_sum)
+    return Point((b, point_pole(b, done, cos(motion.done / 2)), one, product, root_sum))
+
+
+def sent_back(motion):
+    """The motion from its far turning point back to the tip, as the mirror at the y axis shows it.
+
+    A clamp at the turning point itself, where the motion has no point by ℘, is a little before it.
+    """
+    return motion._replace(
+        tip=-(motion.tip + 2 * motion.half_width),
+        done=motion.left,
+        left=motion.done,
+        near_moment=motion.far_moment,
+        far_moment=motion.near_moment,
+        near=motion.far,
+        far=motion.near,
+        uneven=-motion.uneven,
+        done_sine=larger(motion.left_sine, epsilon() ** 6),
+        left_sine=motion.done_sine,
+    )
+
+
+def arc_from_far(eta, heading, there, arc, extent):
+    """The arc of a motion turned back, whose heading is ``there``, as what departs from the tip's direction."""
+    y, z = arc.y + extent * (there.cosine - heading.cosine), arc.z + extent * (there.sine + heading.sine)
+    return Arc((y, -z, arc.square + extent * eta * (there.double_cosine - heading.double_cosine) / 2))
+
+
+def last_stretch(rod, heading, motion, extent):
+    """The arc from the last turning point to the clamp, of a rod that ends on its way back; extent: its length."""
+    back = sent_back(motion)
+    there, phase = heading_of(-rod.field_angle, back), phase_of(back)
+    arc = arc_to(rod.beta, rod.eta, there, back, clamp_point(back, phase), phase.square, phase.rest, extent)
+    return arc_from_far(rod.eta, heading, there, arc, extent)
 
 
 def bent_rod(rod, turns, piece, crossing, index):
     """The equilibrium of a tip on its branch."""
-    beta, eta, field_angle, length = rod.beta, rod.eta, rod.field_angle, rod.length
+    beta, eta, length = rod.beta, rod.eta, rod.length
     stay, phase, (swing, arrival) = crossing.sample.stay, crossing.sample.phase, crossing.sample.regular
     motion, basin = stay.motion, piece.basin
-    whole = Arc(0, 0, 0)  # not asked for within the first half-swing
+    heading = heading_of(rod.field_angle, motion)
+    whole = Arc((0, 0, 0))  # not asked for within the first half-swing
     if crossing.turns:
-        whole = arc_to(beta, eta, field_angle, motion, far_point(motion), 1, 0, swing)
-        whole = with_stays(eta, field_angle, whole, stay, stay.middle, stay.far, basin)
-    part = arc_to(beta, eta, field_angle, motion, clamp_point(motion, phase), phase.square, phase.rest, arrival)
-    part = with_stays(eta, field_angle, part, stay, stay.arrival, 0, basin)
+        whole = arc_to(beta, eta, heading, motion, far_point(motion), 1, 0, swing)
+        whole = with_stays(rod, heading, whole, basin, stay.middle, stay.far)
     both, sign = 2 * crossing.turns, crossing.sign
-    y, z, square = (mpf(both * a + sign * b) for a, b in zip(whole, part, strict=True))
+    if sign > 0:
+        part = arc_to(beta, eta, heading, motion, clamp_point(motion, phase), phase.square, phase.rest, arrival)
+        part = with_stays(rod, heading, part, basin, stay.arrival, 0)
+    else:
+        part = last_stretch(rod, heading, motion, swing - arrival)
+        part = with_stays(rod, heading, part, basin, stay.middle - stay.arrival, stay.far)
+    through = both if sign > 0 else both - 1
+    arc = Arc(mpf(through * a + b) for a, b in zip(whole, part, strict=True))
     speed = phase.delta * phase.whole / (motion.end * motion.sine)
     speed = speed * sqrt(2 * motion.done_sine * motion.left_sine)
-    aligned = cos(motion.tip - field_angle)
-    gamma = 2 * beta * cos(motion.tip) + eta * aligned * aligned
-    energy = gamma * length / 2 - 2 * beta * y - square
+    gamma = 2 * beta * heading.cosine + eta * (1 + heading.double_cosine) / 2
+    energy = -gamma * length / 2 - 2 * beta * arc.y - arc.square
     scale = rod.scale
     first = arrival + stay.tip + stay.arrival
     # The length of the rod is better known than that of a half-swing.
     half_swing = (length - sign * first) / both if both else swing + stay.tip + stay.middle + stay.far
     return Equilibrium(
-        rod.side * (motion.tip + 2 * pi * turns),
-        -rod.side * sign * ldexp(speed, scale),
-        ldexp(gamma, 2 * scale),
-        ldexp(y, -scale),
-        rod.side * ldexp(z, -scale),
-        ldexp(energy, scale),
-        index,
-        rod,
-        Swing(
-            stay,
-            turns,
-            half_swing,
-            whole,
-            basin.axis.angle,
-            basin.far.angle,
-            both if sign > 0 else both - 1,
-            first,
-            arrival,
-            phase.square,
-            phase.rest,
-        ),
+        (
+            rod.side * plus_quarters(motion.tip, 4 * turns),
+            -rod.side * sign * ldexp(speed, scale),
+            ldexp(gamma, 2 * scale),
+            ldexp(length * heading.cosine + arc.y, -scale),
+            rod.side * ldexp(length * heading.sine + arc.z, -scale),
+            ldexp(energy, scale),
+            index,
+            rod,
+            Swing(
+                (
+                    stay,
+                    turns,
+                    half_swing,
+                    heading,
+                    whole,
+                    arc,
+                    basin.axis.angle,
+                    basin.far.angle,
+                    through,
+                    first,
+                    arrival,
+                    phase.square,
+                    phase.rest,
+                )
+            ),
+        )
     )
 
 
@@ -2246,7 +2682,7 @@ def in_order(found):
     """The list with tips that are nearer than rounding given as equal, where rounding would exchange them."""
     for k in range(1, len(found)):
         if found[k].tip_angle < found[k - 1].tip_angle:
-            found[k] = replace(found[k], tip_angle=found[k - 1].tip_angle)
+            found[k] = found[k]._replace(tip_angle=found[k - 1].tip_angle)
     return found
 
 
@@ -2273,15 +2709,17 @@ def straight_rod(rod, rest):
     energy = -(rod.beta * cosine + rod.eta * along * along / 2) * rod.length
     length = length_of(rod)
     return Equilibrium(
-        rod.side * rod.clamp_angle,
-        0 * length,
-        ldexp(gamma, 2 * rod.scale),
-        cosine * length,
-        rod.side * sine * length,
-        ldexp(energy, rod.scale),
-        index,
-        rod,
-        None,
+        (
+            rod.side * rod.clamp_angle,
+            0 * length,
+            ldexp(gamma, 2 * rod.scale),
+            cosine * length,
+            rod.side * sine * length,
+            ldexp(energy, rod.scale),
+            index,
+            rod,
+            None,
+        )
     )
 
 
@@ -2298,8 +2736,8 @@ def all_equilibria(beta, eta, length, clamp_angle, field_angle, max_index):
     most = inf if max_index is None else max_index
     scale = frexp(beta + eta)[1] // 2
     field = principal(field_angle)
-    rod = Rod(ldexp(beta, -2 * scale), ldexp(eta, -2 * scale), ldexp(length, scale), clamp_angle, field, 1, scale)
-    mirrored = Rod(rod.beta, rod.eta, rod.length, -clamp_angle, reflected(field), -1, scale)
+    rod = Rod((ldexp(beta, -2 * scale), ldexp(eta, -2 * scale), ldexp(length, scale), clamp_angle, field, 1, scale))
+    mirrored = Rod((rod.beta, rod.eta, rod.length, -clamp_angle, reflected(field), -1, scale))
     scene, other = landscapes(rod.beta, rod.eta, rod.field_angle)
     clamp = clamp_in(scene.rests, rod.clamp_angle)
     above = below(mirrored, other, clamp_in(other.rests, mirrored.clamp_angle), most)
@@ -2316,13 +2754,15 @@ def index_limit(max_index):
     return limit
 
 
-class Station(NamedTuple):
+class Station(Record):
     """A point of the rod on its half-swing: lengths from the tip and from the far turning point.
 
     whole: half-swings between the tip and the one it lies on, which is run through backwards where that is odd.
     beside: the length from the clamp; away: 1 where the motion from the tip is beyond the clamp there, −1 where it is
     before it, 0 where a turning point lies between.
     """
+
+    __slots__ = ()
 
     whole: int
     from_tip: mpf
@@ -2335,7 +2775,7 @@ def station_at(swing, whole, from_tip, length, beside, away):
     """The station at a length from the tip, or from the far turning point."""
     other = swing.length - length
     near, far = (length, other) if from_tip else (other, length)
-    return Station(whole, near, far, beside, away)
+    return Station((whole, near, far, beside, away))
 
 
 def station_of(rod, swing, s):
@@ -2345,7 +2785,7 @@ def station_of(rod, swing, s):
     """
     towards_tip = swing.whole % 2 == 0
     ahead = swing.arrival if towards_tip else swing.length - swing.arrival
-    if s < 0 or 2 * s >= rod.length:  # series of bins begin before the clamp
+    if 2 * s >= rod.length:
         whole = floor((rod.length - s) / swing.length)
         return station_at(swing, whole, whole % 2 == 0, rod.length - s - whole * swing.length, s, 0)
     if s <= ahead:
@@ -2368,58 +2808,6 @@ def parts(length, stay, regular, middle_stay):
     return first, here, middle, max(rest - middle - here, 0)
 
 
-def next_to_clamp(swing, station, here, left):
-    """Whether a point is nearer to the clamp than to the turning point ahead, with nothing straight between."""
-    stay = swing.stay
-    if station.away == 0 or station.beside > (left if station.away > 0 else here):
-        return False
-    middle = (here + left) / 2
-    same_half = (swing.regular - middle) * (here - middle) > 0 and stay.arrival in (0, stay.middle)
-    return stay.middle == 0 or same_half
-
-
-def phase_before(a, b, square, rest, by):
-    """sin²ψ and cos²ψ at a length before a known phase; by: those at the length itself."""
-    by_square, by_rest = by
-    delta, by_delta = phase_rate(a, b, square, rest), phase_rate(a, b, by_square, by_rest)
-    fall = square - by_square if square < rest else by_rest - rest
-    over = before_over(a, square, rest, by_delta)
-    sine = before_sine(a, square, rest, delta, by_square, by_rest, by_delta, fall)
-    cosine = before_cosine(a, square, rest, delta, by_square, by_rest, by_delta, over)
-    return sine * sine, cosine * cosine
-
-
-def phase_at(a, b, length, left):
-    """sin²ψ and cos²ψ at lengths from the tip and from the half-swing's end: the transformation undone."""
-    limit = 2 * epsilon() ** 0.5
-    steps = [(a, b)]
-    while any_of(abs(a - b) > limit * a):
-        a, b = (a + b) / 2, sqrt(a * b)
-        steps.append((a, b))
-    a, b = (a + b) / 2, sqrt(a * b)
-    first = length <= left
-    small = sin((a + b) / 2 * pick(first, length, left))
-    small = small * small
-    square, rest = pick(first, small, 1 - small), pick(first, 1 - small, small)
-    for a, b in reversed(steps):
-        gap = a - b
-        below = pick(gap > 0, back_below(a, b, square), back_below_rest(a, b, rest))
-        square, rest = back_square(a, square, below), back_rest(a, b, gap, rest, below)
-        # The larger one is told best by the smaller one, and its rounding would double in each step.
-        square, rest = pick(rest < square, 1 - rest, square), pick(rest < square, rest, 1 - square)
-    return square, rest
-
-
-def phase_beside(a, b, square, rest, station, whole):
-    """sin²ψ and cos²ψ of a point beside the clamp by those of the clamp; whole: the length of the half-swing."""
-    length, back = station.beside, whole - station.beside
-    if station.away < 0:
-        return phase_before(a, b, square, rest, phase_at(a, b, length, back))
-    # Seen from the far turning point.
-    square, rest = phase_before(b, a, rest, square, phase_at(b, a, length, back))
-    return rest, square
-
-
 def point_at(motion, square, rest):
     """The point at ψ by sin²ψ and cos²ψ, and half the angle from the tip to it with its sine, by cos χ."""
     a, b, near, far = motion.end / 2, motion.middle / 2, sqrt(motion.near), sqrt(motion.far)
@@ -2438,46 +2826,140 @@ def point_at(motion, square, rest):
     whole = phase_sum(near, far, done, unit_sine(left_over, left_under))
     delta, strong = phase_rate(a, b, square, rest), strength(motion.near_moment)
     point = Point(
-        strong,
-        point_pole(strong, over, under),
-        near_by_phase(square, rest, a * a / delta),
-        pair_root(near, done, whole, chi_rate(square, rest, flat, scale)),
-        pair_root_sum(square, delta),
+        (
+            strong,
+            point_pole(strong, over, under),
+            near_by_phase(square, rest, a * a / delta),
+            pair_root(near, done, whole, chi_rate(square, rest, flat, scale)),
+            pair_root_sum(square, delta),
+        )
     )
     return point, atan2(over, under), done
 
 
-def regular_part(rod, swing, station, here, left):
+def way_back(rod, heading, motion, phase, extent, position):
+    """Half the angle and the arc from the far turning point to a point, by sin²ψ and cos²ψ from there."""
+    if extent == 0:
+        return 0 * extent, Arc((0, 0, 0))
+    back, (square, rest) = sent_back(motion), phase
+    point, half, _ = point_at(back, square, rest)
+    if not position:
+        return half, Arc((0, 0, 0))
+    there = heading_of(-rod.field_angle, back)
+    arc = arc_to(rod.beta, rod.eta, there, back, point, square, rest, extent)
+    return half, arc_from_far(rod.eta, heading, there, arc, extent)
+
+
+def next_to_clamp(swing, station, here, left):
+    """Whether a point is nearer to the clamp than to the turning point ahead, with nothing straight between."""
+    stay = swing.stay
+    if station.away == 0 or station.beside > (left if station.away > 0 else here):
+        return False
+    middle = (here + left) / 2
+    same_half = (swing.regular - middle) * (here - middle) > 0 and stay.arrival in (0, stay.middle)
+    return stay.middle == 0 or same_half
+
+
+def phase_before(a, b, square, rest, by):
+    """sin²ψ and cos²ψ at a length before a known phase; by: those at the length itself."""
+    by_square, by_rest = by
+    share = (b / a) * (b / a)
+    ratio, by_ratio = phase_ratio(share, square, rest), phase_ratio(share, by_square, by_rest)
+    fall = square - by_square if square < rest else by_rest - rest
+    over = before_over(square, rest, by_ratio)
+    sine = before_sine(square, rest, ratio, by_square, by_rest, by_ratio, fall)
+    cosine = before_cosine(square, rest, ratio, by_square, by_rest, by_ratio, over)
+    return sine * sine, cosine * cosine
+
+
+def phase_at(a, b, length, left):
+    """sin²ψ and cos²ψ at lengths from the tip and from the half-swing's end: the transformation undone."""
+    limit, gap = 2 * epsilon() ** 0.5, a - b
+    steps = [(a, b, gap)]
+    while any_of(abs(gap) > limit * a):
+        a, b = (a + b) / 2, sqrt(a * b)
+        gap = gauss_gap(gap, a + b)
+        steps.append((a, b, gap))
+    a, b = (a + b) / 2, sqrt(a * b)
+    first = length <= left
+    small = sin((a + b) / 2 * pick(first, length, left))
+    small = small * small
+    square, rest = pick(first, small, 1 - small), pick(first, 1 - small, small)
+    for a, b, gap in reversed(steps):
+        below = pick(gap > 0, back_below(a, b, square), back_below_rest(a, b, rest))
+        # A small change rounds less than a product; a large one could cancel.
+        move = back_move(a, gap, square, rest, below)
+        little = abs(move) < 0.25 * pick(square < rest, square, rest)
+        far, far_rest = back_square(a, square, below), back_rest(a, b, gap, rest, below)
+        square, rest = pick(little, square + move, far), pick(little, rest - move, far_rest)
+        # The larger one is told best by the smaller one, and its rounding would double in each step.
+        square, rest = pick(rest < square, 1 - rest, square), pick(rest < square, rest, 1 - square)
+    return square, rest
+
+
+def phase_beside(a, b, square, rest, station, whole):
+    """sin²ψ and cos²ψ of a point beside the clamp by those of the clamp; whole: the length of the half-swing."""
+    length, back = station.beside, whole - station.beside
+    if station.away < 0:
+        return phase_before(a, b, square, rest, phase_at(a, b, length, back))
+    # Seen from the far turning point.
+    square, rest = phase_before(b, a, rest, square, phase_at(b, a, length, back))
+    return rest, square
+
+
+def phase_from_far(motion, square, rest):
+    """sin²ψ and cos²ψ of a point as the motion turned back has them."""
+    first, second = motion.end / 2, motion.middle / 2
+    # The square of b may underflow.
+    delta = larger(phase_rate(first, second, square, rest), second * sqrt(square))
+    sine, cosine = far_sine(first, rest, delta), far_cosine(second, square, delta)
+    return larger(sine * sine, epsilon() ** 12), cosine * cosine
+
+
+def regular_part(rod, swing, station, here, left, position):
     """θ, dθ/dσ and the arc by the motion alone, at its lengths from the tip and from the far turning point."""
-    motion = swing.stay.motion
+    motion, back, arc = swing.stay.motion, station.whole % 2 == 1, Arc((0, 0, 0))
     if here <= epsilon() * left:  # where the square of the phase may underflow
-        return motion.tip, 0 * here, Arc(0, 0, 0)
+        if back and position:
+            _, arc = way_back(rod, swing.heading, motion, (1, 0), left, position)
+        return plus_quarters(motion.tip, 4 * swing.turns), 0 * here, arc
     a, b = motion.end / 2, motion.middle / 2
     if next_to_clamp(swing, station, here, left):
         square, rest = phase_beside(a, b, swing.square, swing.rest, station, here + left)
     else:
         square, rest = phase_at(a, b, here, left)
     point, half, low = point_at(motion, square, rest)
-    arc = arc_to(rod.beta, rod.eta, rod.field_angle, motion, point, square, rest, here)
-    speed = point_speed(point.strength, low, point.one, point.product)
-    return motion.tip + 2 * half, speed, arc
+    theta, speed = motion.tip + 2 * half, point_speed(point.strength, low, point.one, point.product)
+    theta = plus_quarters(theta, 4 * swing.turns)
+    if back or left < here:
+        # So near the far turning point that cos²ψ underflows the lengths tell more.
+        phase = phase_from_far(motion, square, rest) if rest > epsilon() ** 12 else phase_at(a, b, left, here)
+        behind, arc = way_back(rod, swing.heading, motion, phase, left, position and back)
+        # The clamp angle is exact, and the turning point is told from there.
+        theta = rod.clamp_angle + (motion.left - 2 * behind) if left < here else theta
+    if position and not back:
+        arc = arc_to(rod.beta, rod.eta, swing.heading, motion, point, square, rest, here)
+    return theta, speed, arc
 
 
-def on_swing(rod, swing, station):
-    """θ, dθ/dσ and the arc from the tip at a point of the first half-swing."""
-    stay, motion = swing.stay, swing.stay.motion
+def on_swing(rod, swing, station, position):
+    """θ, dθ/dσ and the arc from the last turning point, or from the tip, at a point of the first half-swing."""
+    stay = swing.stay
     regular = swing.length - stay.tip - stay.middle - stay.far
-    tip, here, middle, far = parts(station.from_tip, stay.tip, regular, stay.middle)
-    _, left, _, _ = parts(station.from_far, stay.far, regular, stay.middle)
-    angle, speed, arc = regular_part(rod, swing, station, here, left)
-    for straight, extent in ((motion.tip, tip), (swing.middle_angle, middle), (swing.far_angle, far)):
+    _, here, middle, far = parts(station.from_tip, stay.tip, regular, stay.middle)
+    first, left, behind, _ = parts(station.from_far, stay.far, regular, stay.middle)
+    if station.whole % 2 == 1:
+        middle, far = behind, first
+    theta, speed, arc = regular_part(rod, swing, station, here, left, position)
+    for straight, extent in ((swing.middle_angle, middle), (swing.far_angle, far)):
         if extent > 0:
-            arc = Arc(arc.y + extent * cos(straight), arc.z + extent * sin(straight), arc.square)
-    return angle, speed, arc
+            turned_y, turned_z = cos(straight) - swing.heading.cosine, sin(straight) - swing.heading.sine
+            arc = Arc((arc.y + extent * turned_y, arc.z + extent * turned_z, arc.square))
+    return theta, speed, arc
 
 
-def angle_and_position(equilibrium, s):
-    """θ, θ′, y and z at an arc length s from the clamp."""
+def angle_and_position(equilibrium, s, position=True):
+    """θ, θ′, y and z at an arc length s from the clamp; y and z are worth nothing without ``position``."""
     rod, swing = equilibrium.rod, equilibrium.swing
     if swing is None:
         length = ldexp(rod.length, -rod.scale)
@@ -2485,13 +2967,12 @@ def angle_and_position(equilibrium, s):
         angle = equilibrium.tip_angle - bend * left * (left / length) / 2
         return angle, bend * (left / length), equilibrium.y * share, equilibrium.z * share
     station = station_of(rod, swing, ldexp(s, rod.scale))
-    back = station.whole % 2 == 1
-    angle, speed, arc = on_swing(rod, swing, station)
-    times = station.whole + 1 if back else station.whole
-    sign = -1 if back else 1
-    y = equilibrium.y - ldexp(times * swing.arc.y + sign * arc.y, -rod.scale)
-    z = equilibrium.z - rod.side * ldexp(times * swing.arc.z + sign * arc.z, -rod.scale)
-    return rod.side * (angle + 2 * pi * swing.turns), -rod.side * sign * ldexp(speed, rod.scale), y, z
+    sign = -1 if station.whole % 2 == 1 else 1
+    theta, speed, arc = on_swing(rod, swing, station, position)
+    # Along the tip's direction the rod is as long as it is; only what it departs by from that has been computed.
+    y = s * swing.heading.cosine + ldexp(swing.total.y - station.whole * swing.arc.y - arc.y, -rod.scale)
+    z = s * swing.heading.sine + ldexp(swing.total.z - station.whole * swing.arc.z - arc.z, -rod.scale)
+    return rod.side * theta, -rod.side * sign * ldexp(speed, rod.scale), y, rod.side * z
 
 
 def each_of(convert, name, values):
@@ -2506,8 +2987,10 @@ def all_real(name, values):
     return each_of(real, name, values)
 
 
-class Given(NamedTuple):
+class Given(Record):
     """The parameters of many rods: numbers or arrays."""
+
+    __slots__ = ()
 
     beta: Any
     eta: Any
@@ -2532,11 +3015,13 @@ def many_rods(beta, eta, length, clamp_angle, field_angle):
     TypeError or ValueError names the first argument that cannot be, and the index of its first bad value.
     """
     given = Given(
-        all_not_negative("beta", beta),
-        all_not_negative("eta", eta),
-        all_positive("length", length),
-        all_real("clamp_angle", clamp_angle),
-        all_real("field_angle", field_angle),
+        (
+            all_not_negative("beta", beta),
+            all_not_negative("eta", eta),
+            all_positive("length", length),
+            all_real("clamp_angle", clamp_angle),
+            all_real("field_angle", field_angle),
+        )
     )
     lengths = {len(part) for part in given if isinstance(part, list)}
     if len(lengths - {1}) > 1:
@@ -2547,7 +3032,7 @@ def many_rods(beta, eta, length, clamp_angle, field_angle):
     rows = 1 if not lengths or lengths == {1} else max(lengths - {1})
     columns = [part if isinstance(part, list) else [part] for part in given]
     parts = [column * rows if len(column) == 1 else column for column in columns]
-    return Given(*parts)
+    return Given(parts)
 
 
 def steps(beta, soonest, length, low, high):
@@ -2565,13 +3050,15 @@ def steps(beta, soonest, length, low, high):
     return [start, *(eta for eta in inner if start < eta < high), high]
 
 
-class Mark(NamedTuple):
+class Mark(Record):
     """An extremum of a branch's length over the tip angle.
 
     key: side, piece, branch, and whether it is a maximum. group: what of it stays when it goes over to another piece.
     spot: what tells it from the others of its key, the place. height: the length there over the rod's, less 1. slope:
     the derivative of that by η.
     """
+
+    __slots__ = ()
 
     key: tuple
     group: tuple
@@ -2584,8 +3071,10 @@ class Mark(NamedTuple):
     piece: Piece
 
 
-class Probe(NamedTuple):
+class Probe(Record):
     """Half-swing, first arrival, and their derivatives by the place."""
+
+    __slots__ = ()
 
     place: mpf
     swing: mpf
@@ -2617,9 +3106,11 @@ def change_of_ratio(beta, eta, field_angle, motion, change, d_turn):
     return -by_tip * skew / (near * far * far) * change.tip - by_far - by_near
 
 
-class Numbers(NamedTuple):
+class Numbers(Record):
     """Derivatives of the numbers of the Legendre form: of the logarithms of far/near, end and middle, and of the far
     turning point itself."""
+
+    __slots__ = ()
 
     ratio: mpf
     end: mpf
@@ -2649,7 +3140,7 @@ def changes_of_numbers(beta, eta, field_angle, motion, change):
     d_excess = d_excess - 2 * cos_middle * cosine * change.beta - double_cos * wide * change.eta
     square = 4 * motion.middle * motion.middle
     if excess >= 0:
-        return Numbers(ratio, (near + far) / 4, (d_product + d_excess) / (2 * square), d_turn)
+        return Numbers((ratio, (near + far) / 4, (d_product + d_excess) / (2 * square), d_turn))
     mean = -(2 * beta * cos_middle + eta * cosine * double_cos)
     d_mean = 2 * (beta * sin_middle + eta * cosine * double_sin) * d_middle + eta * sine * double_cos * d_half
     d_mean = d_mean - 2 * cos_middle * change.beta - cosine * double_cos * change.eta
@@ -2658,7 +3149,7 @@ def changes_of_numbers(beta, eta, field_angle, motion, change):
     apart = square * below / (sine * sine * (mean + eta))
     logarithm = 2 * cot + (d_mean - change.eta) / apart + (d_mean + change.eta) / (mean + eta)
     logarithm = logarithm - (d_product - d_excess) / below
-    return Numbers(ratio, (near + far) / 4, logarithm / 2, d_turn)
+    return Numbers((ratio, (near + far) / 4, logarithm / 2, d_turn))
 
 
 def sine_part(a, b, square, rest, arrival):
@@ -2717,8 +3208,10 @@ def rates_of_sample(rod, item, change):
     return rates_of_times(rod.beta, rod.eta, rod.field_angle, motion, item.phase, swing, arrival, change)
 
 
-class Change(NamedTuple):
+class Change(Record):
     """The change of the tip angle and of the loads, along which a derivative is taken."""
+
+    __slots__ = ()
 
     tip: mpf
     beta: mpf
@@ -2732,10 +3225,10 @@ def probe(rod, piece, ends, place):
     if abs(place) >= delay.deepest:
         side = -1 if place < 0 else 1
         rates = side * (delay.tip + delay.middle + delay.far), side * delay.arrival
-        return Probe(place, item.swing, item.arrival, *rates)
+        return Probe((place, item.swing, item.arrival, *rates))
     share = piece.width / ((1 + exp(place)) * (1 + exp(-place)))
-    rates = rates_of_sample(rod, item, Change(share, 0, 0))
-    return Probe(place, item.swing, item.arrival, *rates)
+    rates = rates_of_sample(rod, item, Change((share, 0, 0)))
+    return Probe((place, item.swing, item.arrival, *rates))
 
 
 def dense(sample, samples, length):
@@ -2824,8 +3317,8 @@ def mark_at(rod, turns, piece, sample, key, sign, swings, before, after):
     ends = before.place, after.place
     place = bracketed_root(function, ends, [function(end) for end in ends], 0)
     height = branch_length(sample(place), sign, swings) / rod.length - 1
-    slope = slope_at(rod, piece, place, sign, swings, Change(0, 0, 1))
-    return Mark(key, (rod.side, sign, swings, key[-1]), place, place, height, slope, rod, turns, piece)
+    slope = slope_at(rod, piece, place, sign, swings, Change((0, 0, 1)))
+    return Mark((key, (rod.side, sign, swings, key[-1]), place, place, height, slope, rod, turns, piece))
 
 
 def marks_on(rod, turns, piece, where, wanted):
@@ -2874,8 +3367,8 @@ def marks(sides, wanted=None):
 def both_sides(beta, eta, length, clamp_angle, field_angle, scale):
     """The rod, and its mirror image."""
     return (
-        Rod(beta, eta, length, clamp_angle, field_angle, 1, scale),
-        Rod(beta, eta, length, -clamp_angle, reflected(field_angle), -1, scale),
+        Rod((beta, eta, length, clamp_angle, field_angle, 1, scale)),
+        Rod((beta, eta, length, -clamp_angle, reflected(field_angle), -1, scale)),
     )
 
 
@@ -2885,7 +3378,7 @@ def rod_of(mark):
     index = 2 * swings - (1 if sign < 0 else 0)
     rod, piece = mark.rod, mark.piece
     sample = sample_at(rod.beta, rod.eta, rod.field_angle, piece, delays(piece), mark.place)
-    return bent_rod(rod, mark.turns, piece, Crossing(sample, swings, sign, True), index)
+    return bent_rod(rod, mark.turns, piece, Crossing((sample, swings, sign, True)), index)
 
 
 def fold_of(mark):
@@ -2894,7 +3387,7 @@ def fold_of(mark):
     found = rod_of(mark)
     change = 2 if (mark.slope > 0) == top else -2
     eta = ldexp(rod.eta, 2 * rod.scale)
-    return Fold(eta, found.tip_angle, found.clamp_curvature, found.y, found.z, found.index, change, "fold")
+    return Fold((eta, found.tip_angle, found.clamp_curvature, found.y, found.z, found.index, change, "fold"))
 
 
 def nearest(values, key, spot):
@@ -2908,12 +3401,14 @@ def sharpened(at, mark):
     return nearest(at(eta, mark.key), mark.key, mark.spot) or mark
 
 
-class Row(NamedTuple):
+class Row(Record):
     """What is at a place of the parameter: by key, lists of records in the order of their spots.
 
     A record has a spot, by which it is told from others of its key, a group, which it keeps if it goes over to
     another key, and a height.
     """
+
+    __slots__ = ()
 
     place: mpf
     values: dict
@@ -2949,22 +3444,24 @@ def lonely(low, high):
 
 def follow(values_at, places, origin, least):
     """Rows so dense that the same records are on both sides, or the interval is negligible."""
-    rows = [Row(places[0], values_at(places[0], None))]
-    todo = [Row(place, values_at(place, None)) for place in places[:0:-1]]
+    rows = [Row((places[0], values_at(places[0], None)))]
+    todo = [Row((place, values_at(place, None))) for place in places[:0:-1]]
     while todo:
         low, high = rows[-1], todo[-1]
         wide = share(low, high, origin)
         alone = [record for records in lonely(low, high) for record in records]
         if wide > least and any(abs(record.height) < 2 * sqrt(wide) for record in alone):
             middle = (low.place + high.place) / 2
-            todo.append(Row(middle, values_at(middle, None)))
+            todo.append(Row((middle, values_at(middle, None))))
         else:
             rows.append(todo.pop())
     return rows
 
 
-class Bracket(NamedTuple):
+class Bracket(Record):
     """Places between which the height of a record changes sign, and the record on either side."""
+
+    __slots__ = ()
 
     key: tuple
     low: mpf
@@ -2976,7 +3473,7 @@ class Bracket(NamedTuple):
 def changes(low, high):
     """The changes of sign between two rows."""
     return [
-        Bracket(key, low.place, high.place, before, after)
+        Bracket((key, low.place, high.place, before, after))
         for key, before, after in matched(low, high)
         if before.height != 0 and (before.height < 0) != (after.height < 0)
     ]
@@ -2998,7 +3495,7 @@ def lowest(values_at, triple, key, spot, side):
     """Where side·height is least, or first found below zero, and the record there."""
 
     def sample(place):
-        return Row(place, values_at(place, key))
+        return Row((place, values_at(place, key)))
 
     def short(row):
         record = nearest(row.values, key, spot)
@@ -3023,8 +3520,8 @@ def touched(values_at, triple):
             continue
         place, best = lowest(values_at, triple, key, record.spot, side)
         if best is not None and side * best.height < 0:
-            found.append(Bracket(key, low.place, place, before, best))
-            found.append(Bracket(key, place, high.place, best, after))
+            found.append(Bracket((key, low.place, place, before, best)))
+            found.append(Bracket((key, place, high.place, best, after)))
     return found
 
 
@@ -3092,7 +3589,7 @@ def pitchforks(beta, length, clamp_angle, field_angle, scale, places):
             change = 2 if softening == (facing < 0) else -2
             extent = ldexp(length, -scale)
             at = (clamp_angle, 0 * extent, cosine * extent, sine * extent)
-            found.append(Fold(ldexp(eta, 2 * scale), *at, index, change, "pitchfork"))
+            found.append(Fold((ldexp(eta, 2 * scale), *at, index, change, "pitchfork")))
         index += 1
     return found
 
@@ -3164,12 +3661,12 @@ def stationary(at, places, origin, key):
 def exchange_of(at, mark):
     """The exchange of a doubly stationary length that is the rod's; a step of Newton's method sharpens β."""
     _, sign, swings, top, over = mark.group
-    slope = slope_at(mark.rod, mark.piece, mark.place, sign, swings, Change(0, 1, 0))
+    slope = slope_at(mark.rod, mark.piece, mark.place, sign, swings, Change((0, 1, 0)))
     mark = nearest(at(mark.rod.beta - mark.height / slope, mark.key), mark.key, mark.spot) or mark
     rod, found = mark.rod, rod_of(mark._replace(group=mark.group[:-1]))
     loads = ldexp(rod.beta, 2 * rod.scale), ldexp(rod.eta, 2 * rod.scale)
     kind = "isolated" if top == over else "exchange"
-    return Exchange(*loads, found.tip_angle, found.clamp_curvature, found.y, found.z, found.index, kind)
+    return Exchange((*loads, found.tip_angle, found.clamp_curvature, found.y, found.z, found.index, kind))
 
 
 def all_exchanges(length, clamp_angle, field_angle, low_beta, high_beta, low, high):
@@ -3197,8 +3694,7 @@ def all_exchanges(length, clamp_angle, field_angle, low_beta, high_beta, low, hi
 # Interface
 
 
-@dataclass(frozen=True, slots=True)
-class Equilibrium:
+class Equilibrium(Record):
     """One equilibrium of a rod.
 
     tip_angle: θ(ℓ), continuous from θ(0) = clamp_angle, not wrapped. clamp_curvature: θ′(0). gamma: constant of
@@ -3207,6 +3703,8 @@ class Equilibrium:
     rod: the rod it is an equilibrium of.
     swing: its half-swing, None if it is straight.
     """
+
+    __slots__ = ()
 
     tip_angle: mpf
     clamp_curvature: mpf
@@ -3238,9 +3736,10 @@ def equilibria(beta, eta, length, clamp_angle, field_angle, *, max_index=None, d
         return all_equilibria(beta, eta, length, clamp_angle, field_angle, index_limit(max_index))
 
 
-@dataclass(frozen=True, slots=True)
-class Shape:
+class Shape(Record):
     """A rod at the arc lengths asked for: theta (from y to the tangent), curvature θ′, and the position y, z."""
+
+    __slots__ = ()
 
     theta: Any
     curvature: Any
@@ -3251,9 +3750,9 @@ class Shape:
 def shape_by(at, equilibrium, places):
     """The shape at one place, or at each of a list, by a function of an equilibrium and a place."""
     if not isinstance(places, list):
-        return Shape(*at(equilibrium, places))
+        return Shape(at(equilibrium, places))
     rows = [at(equilibrium, place) for place in places]
-    return Shape(*([row[k] for row in rows] for k in range(4)))
+    return Shape([row[k] for row in rows] for k in range(4))
 
 
 def on_rod(equilibrium, s):
@@ -3279,12 +3778,13 @@ def shape(equilibrium: Equilibrium, s, *, position=True, dps=None) -> Shape:
     """
     with workdps(digits(dps)):
         found = shape_by(angle_and_position, equilibrium, on_rod(equilibrium, s))
-        return found if position else Shape(found.theta, found.curvature, None, None)
+        return found if position else Shape((found.theta, found.curvature, None, None))
 
 
-@dataclass(frozen=True, slots=True)
-class Sweep:
+class Sweep(Record):
     """The equilibria of many rods, flat: case[k] is the index of the rod (in the order of the broadcast arrays)."""
+
+    __slots__ = ()
 
     case: Any
     tip_angle: Any
@@ -3309,25 +3809,28 @@ def sweep(beta, eta, length, clamp_angle, field_angle, *, max_index=None, dps=No
         rods = list(zip(*given, strict=True))
         found = [(case, item) for case, rod in enumerate(rods) for item in equilibria(*rod, max_index=limit)]
         return Sweep(
-            [case for case, _ in found],
-            [item.tip_angle for _, item in found],
-            [item.clamp_curvature for _, item in found],
-            [item.gamma for _, item in found],
-            [item.y for _, item in found],
-            [item.z for _, item in found],
-            [item.energy for _, item in found],
-            [item.index for _, item in found],
+            (
+                [case for case, _ in found],
+                [item.tip_angle for _, item in found],
+                [item.clamp_curvature for _, item in found],
+                [item.gamma for _, item in found],
+                [item.y for _, item in found],
+                [item.z for _, item in found],
+                [item.energy for _, item in found],
+                [item.index for _, item in found],
+            )
         )
 
 
-@dataclass(frozen=True, slots=True)
-class Fold:
+class Fold(Record):
     """Two equilibria meet, at this η, and vanish on one side of it.
 
     tip_angle, clamp_curvature, y, z: of the rod there. index: the lower of the two indices that meet; the other one is
     index + 1. change: the number of equilibria just above this η less that just below: 2 or −2. kind: 'fold', or
     'pitchfork' where the two that vanish meet a third one, the straight rod.
     """
+
+    __slots__ = ()
 
     eta: mpf
     tip_angle: mpf
@@ -3357,8 +3860,7 @@ def folds(beta, length, clamp_angle, field_angle, *, eta, dps=None) -> list[Fold
         return all_folds(beta, length, clamp_angle, field_angle, *span("eta", eta))
 
 
-@dataclass(frozen=True, slots=True)
-class Exchange:
+class Exchange(Record):
     """At this β and η the two folds of a diagram over η meet: it changes its aspect as β goes by.
 
     With F = θ(0) − clamp angle as a function of the tip angle φ and of η: F = ∂F/∂φ = ∂F/∂η = 0. kind: 'exchange',
@@ -3366,6 +3868,8 @@ class Exchange:
     where a closed branch shrinks to a point and vanishes (F has an extremum). tip_angle, clamp_curvature, y, z: of
     the rod there. index: the lower of the two indices that meet.
     """
+
+    __slots__ = ()
 
     beta: mpf
     eta: mpf

@@ -8,34 +8,37 @@ Formulas, each proved equal to its derivation:
     arc_kink (DLMF 19.29(ii)), arc_kink_each (DLMF 19.29(ii)), arc_kink_tip, arc_kink_tip_each,
     arc_square (DLMF 19.29(ii)), arc_square_each (DLMF 19.29(ii)), arc_y (exsl36), arc_y_each (exsl36),
     arc_z (exsl41), arc_z_each (exsl41), back_below (DLMF 19.8(iii)), back_below_rest (DLMF 19.8(iii)),
-    back_rest (DLMF 19.8(iii)), back_square (DLMF 19.8(iii)), before_cosine (DLMF 22.8(i)),
-    before_over (DLMF 22.8(i)), before_sine (DLMF 22.8(i)), chi_cosine (DLMF 22.6(iii)),
-    chi_coversine (DLMF 22.6(iii)), chi_rate (DLMF 22.6(iii)), chi_scale (DLMF 22.6(iii)),
-    chi_square (DLMF 4.21(iii)), chi_square_each (DLMF 4.21(iii)), chi_versine (DLMF 22.6(iii)), far_pair_root,
-    far_pair_root_each, far_root, far_root_each, gauss_rest (DLMF 19.8(iii)), gauss_rest_each (DLMF 19.8(iii)),
-    gauss_square (DLMF 19.8(iii)), gauss_square_each (DLMF 19.8(iii)), half_rest (DLMF 22.6(iii)),
-    half_rest_beyond (DLMF 22.6(iii)), half_rest_beyond_each (DLMF 22.6(iii)), half_rest_each (DLMF 22.6(iii)),
-    half_square (DLMF 22.6(iii)), half_square_beyond (DLMF 22.6(iii)), half_square_beyond_each (DLMF 22.6(iii)),
+    back_move (DLMF 19.8(iii)), back_rest (DLMF 19.8(iii)), back_square (DLMF 19.8(iii)),
+    before_cosine (DLMF 22.8(i)), before_over (DLMF 22.8(i)), before_sine (DLMF 22.8(i)),
+    chi_cosine (DLMF 22.6(iii)), chi_coversine (DLMF 22.6(iii)), chi_rate (DLMF 22.6(iii)),
+    chi_scale (DLMF 22.6(iii)), chi_square (DLMF 4.21(iii)), chi_square_each (DLMF 4.21(iii)),
+    chi_versine (DLMF 22.6(iii)), far_cosine (DLMF 22.4(iii)), far_pair_root, far_pair_root_each, far_root,
+    far_root_each, far_sine (DLMF 22.4(iii)), gauss_gap (DLMF 19.8(i)), gauss_gap_each (DLMF 19.8(i)),
+    gauss_rest (DLMF 19.8(iii)), gauss_rest_each (DLMF 19.8(iii)), gauss_square (DLMF 19.8(iii)),
+    gauss_square_each (DLMF 19.8(iii)), half_rest (DLMF 22.6(iii)), half_rest_beyond (DLMF 22.6(iii)),
+    half_rest_beyond_each (DLMF 22.6(iii)), half_rest_each (DLMF 22.6(iii)), half_square (DLMF 22.6(iii)),
+    half_square_beyond (DLMF 22.6(iii)), half_square_beyond_each (DLMF 22.6(iii)),
     half_square_each (DLMF 22.6(iii)), near_by_phase (DLMF 19.25.35), others_product, others_product_each,
     others_sum, others_sum_each, pair_lift, pair_lift_each, pair_root, pair_root_each,
     pair_root_sum (DLMF 19.26(iii)), pair_root_sum_each (DLMF 19.26(iii)), phase_lead, phase_lead_each,
-    phase_rate (DLMF 19.2.4), phase_rate_each (DLMF 19.2.4), phase_sum, phase_sum_each, point_near,
-    point_near_each, point_pole (exsl22), point_pole_each (exsl22), point_speed (exsl8), pole_gap, pole_gap_each,
-    rest_fall, rest_fall_each, rest_moment, rest_moment_each, rest_stiffness, rest_stiffness_each,
+    phase_rate (DLMF 19.2.4), phase_rate_each (DLMF 19.2.4), phase_ratio (DLMF 19.2.4), phase_sum, phase_sum_each,
+    point_near, point_near_each, point_pole (exsl22), point_pole_each (exsl22), point_speed (exsl8), pole_gap,
+    pole_gap_each, rest_fall, rest_fall_each, rest_moment, rest_moment_each, rest_stiffness, rest_stiffness_each,
     rj_delta_imag (DLMF 19.26(iii)), rj_delta_imag_each (DLMF 19.26(iii)), rj_delta_real (DLMF 19.26(iii)),
     rj_delta_real_each (DLMF 19.26(iii)), second_kind_step (DLMF 19.8.19), second_kind_step_each (DLMF 19.8.19),
     strength (exsl17), strength_each (exsl17), tip_cubic, tip_cubic_each, turn_level, turn_over (DLMF 4.21(iii)),
     turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
     w_imag_each (DLMF 19.29(ii)), w_real (DLMF 19.29(ii)), w_real_each (DLMF 19.29(ii))
-Digest of the inputs: sha256 65fb5e6f5c9412e15460cb4cbc0dad3aa0c38365ceeb245f05d3fb84ca26ab6e
+Digest of the inputs: sha256 779b0260bfbb887243eaa72342ef96602f60e2a9bfd4c0a7ae563c7dc911afe5
 """
 
 from __future__ import annotations
 
+from cmath import atanh
 from cmath import log as complex_log
 from cmath import sqrt as complex_sqrt
+from collections import namedtuple
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import (
     asin,
@@ -58,7 +61,7 @@ from math import (
     sqrt,
 )
 from operator import index
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -81,17 +84,30 @@ LOOKUP_BLOCK = 8192  # points at a time, so that what is gathered for them stays
 BLOCK = 8192  # rods at once
 FEWEST = 16  # rods that are faster on arrays than one by one
 SLOWEST = 250.0  # ℓ√(β + η) from which offsets would be too small for their squares
+SHOT_SLOW = 1.2 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
+STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
+SHOTS = 512  # rods at once
+EVEN = 2.0  # step between tips, over the steepest slope
+LOOKS = 4  # each at so many tips nearer to it
+FINE = 9  # tips about an extremum
+AIMS = 4  # steps towards a zero
+AIM_SPREAD = 1e-6  # distance of two shares from which they tell a slope
 NEARLY = 0.3  # how far η may be below the value at which a ridge appears, and still slow motions down, over β + η
 SHARP = 0.01  # the same from which on the dips are too narrow for the samples here
-SURELY = 1e-6  # bounds count where they hold by this much more than they must
+SMALLEST = 1e-30  # instead of less, where it is divided by
+SURELY = 1e-5  # bounds count where they hold by this much more than they must
 ROUGH_SLOW = 12  # ℓ√(β + η) up to which single precision holds the places of all tips but the most extreme
+STEPS = 3  # rough steps, after which most places are right to single precision
+SPREAD = 2.0**-9  # distance of two places from which they tell the slope of a branch in single precision
+TOLD = 1e-10  # change of a place from which the change of a length tells the slope
+HITS = 0  # as ``SECANTS``, for tips that are known nearly to rounding
 HALVINGS = 4  # of the stretch at the low end in which no motion arrives in time
 LATEST = 12.0  # places beyond which a count is its limit, but for the doubts of a hundred thousandth of all ranges
 ROUGH_DEPTH = 28.0  # places up to which squares of offsets are numbers in single precision
 RANGES = 1024  # ranges at once: arrays that stay in the cache
 AROUND = np.concatenate([-0.5 ** np.arange(13), [0], 0.5 ** np.arange(12, -1, -1)])  # places about a dip
-STEPS = 3  # rough steps, after which most places are right to single precision
-SPREAD = 2.0**-9  # distance of two places from which they tell the slope of a branch in single precision
+FINER = np.linspace(0, 1, 17)  # shares of the way from one sample to the next but one
+SECANTS = 2  # evaluations before any place is looked at for being right to rounding: next to none is
 WIDE = 0.75  # first step between samples
 CLOSER = 0.25  # the same where those leave a doubt
 LAST = 100  # beyond the rank of any range
@@ -123,11 +139,6 @@ def real(name: str, value: object) -> float:
     return number
 
 
-def epsilon() -> float:
-    """The spacing of numbers just above 1."""
-    return 2.0**-52
-
-
 def less_quarters(angle, quarters):
     """angle − quarters·π/2, with π/2 in two parts of which the first has 33 bits, so that nothing is lost."""
     return (angle - quarters * 1.5707963267341256) - quarters * 6.077100506506192e-11
@@ -138,19 +149,9 @@ def pick(condition, yes, no):
     return yes if condition else no
 
 
-def any_of(condition):
-    """Whether the condition holds anywhere."""
-    return condition
-
-
 def larger(x, y):
     """The larger one."""
     return x if x > y else y
-
-
-def spacing(x):
-    """The spacing of numbers just above 1, in the precision of x."""
-    return 2.0**-52
 
 
 def deepest(width):
@@ -164,11 +165,52 @@ def complex_of(real, imaginary):
 
 
 def arctan_share(z, end):
-    """R_C(1, end) for complex end = 1 + z: arctan(√z)/√z, by its series where z is small (DLMF 19.2.18)."""
-    if abs(z) < 1e-3:
+    """R_C(1, end) for complex end = 1 + z: arctan(√z)/√z (DLMF 19.2.18), by its series where z is small.
+
+    The logarithm is of a number near 1 unless z is large, and then its last digits are few.
+    """
+    size = abs(z)
+    if size < 1e-3:
         return 1 - z * (1 / 3 - z * (1 / 5 - z * (1 / 7 - z * (1 / 9 - z / 11))))
     root = complex_sqrt(-z)
+    if size < 0.5:
+        return atanh(root) / root
     return complex_log((1 + root) * (1 + root) / end) / (2 * root)
+
+
+def plus_quarters(angle, quarters):
+    """angle + quarters·π/2, rounded once where the sum is large."""
+    return (angle + quarters * 6.077100506506192e-11) + quarters * 1.5707963267341256
+
+
+def in_doubles(x):
+    """Whether this is an array of doubles."""
+    return isinstance(x, np.ndarray) and x.dtype.char == "d"
+
+
+def each_sin(x):
+    """sin x. Of doubles by the tangent of x/2, which takes a fraction of the time of NumPy's sine, to 1.3 spacings."""
+    if not in_doubles(x):
+        return np.sin(x)
+    tangent = np.tan(x / 2)
+    below = tangent * tangent
+    below += 1
+    tangent += tangent
+    tangent /= below
+    return tangent
+
+
+def each_cos(x):
+    """cos x, likewise; to as much of 1."""
+    if not in_doubles(x):
+        return np.cos(x)
+    tangent = np.tan(x / 2)
+    below, above = tangent * tangent, 1 - tangent
+    below += 1
+    tangent += 1
+    above *= tangent
+    above /= below
+    return above
 
 
 def each_less_quarters(angle, quarters):
@@ -187,18 +229,49 @@ def each_spacing(x):
     return float(np.finfo(x.dtype).eps)
 
 
+def each_hypot(x, y):
+    """√(x² + y²) of numbers whose squares are none too small."""
+    return np.sqrt(x * x + y * y)
+
+
 def each_complex_of(real, imaginary):
     """The complex numbers of real and imaginary parts."""
-    return real + 1j * imaginary
+    result = np.empty(np.maximum(real, imaginary).shape, dtype=complex)
+    result.real, result.imag = real, imaginary
+    return result
+
+
+def each_complex_sqrt(z):
+    """The principal √z by real roots, in a third of the time of NumPy's."""
+    real, imaginary = z.real, z.imag
+    larger_part = np.sqrt((np.abs(z) + np.abs(real)) / 2)
+    smaller_part = imaginary / (2 * np.maximum(larger_part, 1e-300))
+    right = real >= 0
+    if right.all():
+        return each_complex_of(larger_part, smaller_part)
+    return each_complex_of(
+        np.where(right, larger_part, np.abs(smaller_part)),
+        np.where(right, smaller_part, np.copysign(larger_part, imaginary)),
+    )
+
+
+def each_complex_atanh(root, end):
+    """artanh r for Re r ≥ 0 and end = 1 − r², by real functions: no logarithm of a number near 1 where r is small."""
+    ahead = 1 + root
+    share = np.abs(ahead) / np.abs(end)
+    turned = ahead * ahead / end
+    return each_complex_of(np.log1p(4 * root.real * share * share) / 4, np.arctan2(turned.imag, turned.real) / 2)
 
 
 def each_arctan_share(z, end):
     """R_C(1, end) for complex end = 1 + z: arctan(√z)/√z, by its series where z is small (DLMF 19.2.18)."""
-    share = 1 - z * (1 / 3 - z * (1 / 5 - z * (1 / 7 - z * (1 / 9 - z / 11))))
     far = np.abs(z) >= 0.001
+    if far.all():
+        root = each_complex_sqrt(-z)
+        return each_complex_atanh(root, end) / root
+    share = 1 - z * (1 / 3 - z * (1 / 5 - z * (1 / 7 - z * (1 / 9 - z / 11))))
     if np.any(far):
-        root = np.sqrt(-z[far])
-        share[far] = np.log((1 + root) * (1 + root) / end[far]) / (2 * root)
+        share[far] = each_arctan_share(z[far], end[far])
     return share
 
 
@@ -384,20 +457,20 @@ def w_imag(b, rj_re):
     return 2 * b * rj_re / 3
 
 
-def arc_y(sine, cosine, arc, w_re, w_im):
-    """∫y′ dσ from the tip to the point, by sin φ and cos φ.
+def arc_y(sine, cosine, w_re, w_im):
+    """∫y′ dσ from the tip to the point less what it is along the tip's direction, by sin φ and cos φ.
 
     Equation exsl36; proved as swing.arc_y.
     """
-    return cosine * (arc + w_re) - sine * w_im
+    return cosine * w_re - sine * w_im
 
 
-def arc_z(sine, cosine, arc, w_re, w_im):
-    """∫z′ dσ from the tip to the point, by sin φ and cos φ.
+def arc_z(sine, cosine, w_re, w_im):
+    """∫z′ dσ from the tip to the point less what it is along the tip's direction, by sin φ and cos φ.
 
     Equation exsl41; proved as swing.arc_z.
     """
-    return sine * (arc + w_re) + cosine * w_im
+    return sine * w_re + cosine * w_im
 
 
 def rest_stiffness(beta, eta, cosine, double_cosine):
@@ -459,26 +532,28 @@ def arc_kink_tip(first, second, delta, across, b, pole, near_root, gap):
     )
 
 
-def second_kind_step(first, second, square, rest, delta, arc):
-    """2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step.
+def second_kind_step(total, gap, below, square, rest, arc):
+    """2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step; below = a + Δ.
 
     Equation DLMF 19.8.19; proved as swing.second_kind_step.
     """
-    return (first + second) * (first - second) * (0.5 * arc - sqrt(square * rest) / (first + delta))
+    return total * gap * (0.5 * arc - sqrt(square * rest) / below)
 
 
-def arc_square(beta, eta, cosine, aligned, first, root, arc, y, kink, growth):
-    """η∫cos²(θ − α)dσ from the tip to the point, by cos φ and cos(φ − α).
+def gauss_gap(gap, total):
+    """a′ − b′ after Gauss's step, by gap = a − b and total = a′ + b′.
+
+    Equation DLMF 19.8(i); proved as swing.gauss_gap.
+    """
+    return 0.25 * gap * gap / total
+
+
+def arc_square(beta, first, root, arc, y_apart, kink, growth):
+    """η∫cos²(θ − α)dσ from the tip to the point less what it is along the tip's direction, by the same of y.
 
     Equation DLMF 19.29(ii); proved as swing.arc_square.
     """
-    return (
-        arc * (beta * cosine + eta * aligned * aligned)
-        - beta * y
-        - 2 * arc * (2 * first * first - 2 * root)
-        - 2 * kink
-        - 8 * growth
-    )
+    return -beta * y_apart - 2 * arc * (2 * first * first - 2 * root) - 2 * kink - 8 * growth
 
 
 def strength(moment_there):
@@ -527,62 +602,6 @@ def pair_root_sum(square, delta):
     Equation DLMF 19.26(iii); proved as swing.pair_root_sum.
     """
     return 2 * delta / sqrt(square)
-
-
-def before_over(first, square, rest, by_delta):
-    """What the cosine of a difference of lengths is divided by; by_delta is Δ at the length taken off.
-
-    Equation DLMF 22.8(i); proved as swing.before_over.
-    """
-    return square * by_delta / first + first * rest / by_delta
-
-
-def before_sine(first, square, rest, delta, by_square, by_rest, by_delta, fall):
-    """sin ψ at the difference of two lengths from the tip, by the difference of their sin²ψ.
-
-    Equation DLMF 22.8(i); proved as swing.before_sine.
-    """
-    return first * fall / ((sqrt(square * by_rest) + delta * sqrt(rest * by_square) / by_delta) * by_delta)
-
-
-def before_cosine(first, square, rest, delta, by_square, by_rest, by_delta, over):
-    """cos ψ at the difference of two lengths from the tip.
-
-    Equation DLMF 22.8(i); proved as swing.before_cosine.
-    """
-    return (delta * sqrt(square * by_square) / first + first * sqrt(rest * by_rest) / by_delta) / over
-
-
-def back_below(first, second, square):
-    """2a(a + b)/(a + Δ) by sin²ψ′, for a > b: Gauss's step undone.
-
-    Equation DLMF 19.8(iii); proved as swing.back_below.
-    """
-    return first + second + square * (first - second)
-
-
-def back_below_rest(first, second, rest):
-    """The same by cos²ψ′, for a < b: Gauss's step undone.
-
-    Equation DLMF 19.8(iii); proved as swing.back_below_rest.
-    """
-    return 2 * first - rest * (first - second)
-
-
-def back_square(first, square, below):
-    """sin²ψ by sin²ψ′: Gauss's step undone.
-
-    Equation DLMF 19.8(iii); proved as swing.back_square.
-    """
-    return 4 * square * first * first / (below * below)
-
-
-def back_rest(first, second, gap, rest, below):
-    """cos²ψ by cos²ψ′, with gap = a − b: Gauss's step undone.
-
-    Equation DLMF 19.8(iii); proved as swing.back_rest.
-    """
-    return rest * (4 * first * second + rest * gap * gap) / (below * below)
 
 
 def chi_scale(square, rest, flat):
@@ -681,12 +700,100 @@ def chi_rate(square, rest, flat, scale):
     return (rest * rest + flat * (1 + rest)) / scale
 
 
+def phase_ratio(share, square, rest):
+    """Δ/a by share = (b/a)².
+
+    Equation DLMF 19.2.4; proved as swing.phase_ratio.
+    """
+    return sqrt(rest + share * square)
+
+
+def before_over(square, rest, by_ratio):
+    """What the cosine of a difference of lengths is divided by; by_ratio is Δ/a at the length taken off.
+
+    Equation DLMF 22.8(i); proved as swing.before_over.
+    """
+    return rest + square * by_ratio * by_ratio
+
+
+def before_sine(square, rest, ratio, by_square, by_rest, by_ratio, fall):
+    """sin ψ at the difference of two lengths from the tip, by the difference of their sin²ψ.
+
+    Equation DLMF 22.8(i); proved as swing.before_sine.
+    """
+    return fall / (by_ratio * sqrt(square * by_rest) + ratio * sqrt(rest * by_square))
+
+
+def before_cosine(square, rest, ratio, by_square, by_rest, by_ratio, over):
+    """cos ψ at the difference of two lengths from the tip.
+
+    Equation DLMF 22.8(i); proved as swing.before_cosine.
+    """
+    return (ratio * by_ratio * sqrt(square * by_square) + sqrt(rest * by_rest)) / over
+
+
+def back_below(first, second, square):
+    """2a(a + b)/(a + Δ) by sin²ψ′, for a > b: Gauss's step undone.
+
+    Equation DLMF 19.8(iii); proved as swing.back_below.
+    """
+    return first + second + square * (first - second)
+
+
+def back_below_rest(first, second, rest):
+    """The same by cos²ψ′, for a < b: Gauss's step undone.
+
+    Equation DLMF 19.8(iii); proved as swing.back_below_rest.
+    """
+    return 2 * first - rest * (first - second)
+
+
+def back_move(first, gap, square, rest, below):
+    """by how much sin²ψ is more than sin²ψ′, with gap = a − b: Gauss's step undone.
+
+    Equation DLMF 19.8(iii); proved as swing.back_move.
+    """
+    return gap * square * rest * (below + 2 * first) / (below * below)
+
+
+def back_square(first, square, below):
+    """sin²ψ by sin²ψ′: Gauss's step undone.
+
+    Equation DLMF 19.8(iii); proved as swing.back_square.
+    """
+    return 4 * square * first * first / (below * below)
+
+
+def back_rest(first, second, gap, rest, below):
+    """cos²ψ by cos²ψ′, with gap = a − b: Gauss's step undone.
+
+    Equation DLMF 19.8(iii); proved as swing.back_rest.
+    """
+    return rest * (4 * first * second + rest * gap * gap) / (below * below)
+
+
 def point_speed(b, done_sine, x_near, pair_root):
     """|θ_σ| by X₁ and √X₂√X₃.
 
     Equation exsl8; proved as swing.point_speed.
     """
     return 4 * pair_root * done_sine * done_sine * sqrt(x_near) / b
+
+
+def far_sine(first, rest, delta):
+    """sin ψ of the same point by the length from the far turning point.
+
+    Equation DLMF 22.4(iii); proved as swing.far_sine.
+    """
+    return first * sqrt(rest) / delta
+
+
+def far_cosine(second, square, delta):
+    """cos ψ of the same point by the length from the far turning point.
+
+    Equation DLMF 22.4(iii); proved as swing.far_cosine.
+    """
+    return second * sqrt(square) / delta
 
 
 def rest_fall_each(eta, stiffness, double_cosine, double_sine, middle_sine, middle_cosine, half_sine, half_cosine):
@@ -820,46 +927,6 @@ def gauss_rest_each(first, second, square, rest, delta, below):
     )
 
 
-def strength_each(moment_there):
-    """b of the expansion t = b/(℘ − c), by θ″ at the tip.
-
-    Equation exsl17; proved as swing.strength.
-    """
-    return 0.25 * moment_there
-
-
-def point_near_each(b, sine, done_sine, left_sine):
-    """X₁ = x − ê₁ at a point, zero at the far turning point, by sin D, sin(δ/2) and sin(D − δ/2).
-
-    Proved as swing.point_near.
-    """
-    return b * left_sine / (sine * done_sine)
-
-
-def pair_root_each(root_near, done_sine, whole, rate):
-    """√X₂√X₃ by the phase's sum and the rate of χ over that at the turning points.
-
-    Proved as swing.pair_root.
-    """
-    return 0.125 * root_near * whole * rate / done_sine
-
-
-def pair_root_sum_each(square, delta):
-    """√X₂ + √X₃ by sin²ψ and Δ.
-
-    Equation DLMF 19.26(iii); proved as swing.pair_root_sum.
-    """
-    return 2 * delta / np.sqrt(square)
-
-
-def point_pole_each(b, sine, cosine):
-    """x = ℘ − c by the sine and cosine of δ/2, or any two numbers in their ratio.
-
-    Equation exsl22; proved as swing.point_pole.
-    """
-    return b * cosine / sine
-
-
 def far_root_each(near, cosine):
     """ê₁, the value of x at the far turning point, by P and cos D.
 
@@ -908,20 +975,20 @@ def w_imag_each(b, rj_re):
     return 2 * b * rj_re / 3
 
 
-def arc_y_each(sine, cosine, arc, w_re, w_im):
-    """∫y′ dσ from the tip to the point, by sin φ and cos φ.
+def arc_y_each(sine, cosine, w_re, w_im):
+    """∫y′ dσ from the tip to the point less what it is along the tip's direction, by sin φ and cos φ.
 
     Equation exsl36; proved as swing.arc_y.
     """
-    return cosine * (arc + w_re) - sine * w_im
+    return cosine * w_re - sine * w_im
 
 
-def arc_z_each(sine, cosine, arc, w_re, w_im):
-    """∫z′ dσ from the tip to the point, by sin φ and cos φ.
+def arc_z_each(sine, cosine, w_re, w_im):
+    """∫z′ dσ from the tip to the point less what it is along the tip's direction, by sin φ and cos φ.
 
     Equation exsl41; proved as swing.arc_z.
     """
-    return sine * (arc + w_re) + cosine * w_im
+    return sine * w_re + cosine * w_im
 
 
 def rest_stiffness_each(beta, eta, cosine, double_cosine):
@@ -983,26 +1050,44 @@ def arc_kink_tip_each(first, second, delta, across, b, pole, near_root, gap):
     )
 
 
-def second_kind_step_each(first, second, square, rest, delta, arc):
-    """2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step.
+def second_kind_step_each(total, gap, below, square, rest, arc):
+    """2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step; below = a + Δ.
 
     Equation DLMF 19.8.19; proved as swing.second_kind_step.
     """
-    return (first + second) * (first - second) * (0.5 * arc - np.sqrt(square * rest) / (first + delta))
+    return total * gap * (0.5 * arc - np.sqrt(square * rest) / below)
 
 
-def arc_square_each(beta, eta, cosine, aligned, first, root, arc, y, kink, growth):
-    """η∫cos²(θ − α)dσ from the tip to the point, by cos φ and cos(φ − α).
+def gauss_gap_each(gap, total):
+    """a′ − b′ after Gauss's step, by gap = a − b and total = a′ + b′.
+
+    Equation DLMF 19.8(i); proved as swing.gauss_gap.
+    """
+    return 0.25 * gap * gap / total
+
+
+def arc_square_each(beta, first, root, arc, y_apart, kink, growth):
+    """η∫cos²(θ − α)dσ from the tip to the point less what it is along the tip's direction, by the same of y.
 
     Equation DLMF 19.29(ii); proved as swing.arc_square.
     """
-    return (
-        arc * (beta * cosine + eta * aligned * aligned)
-        - beta * y
-        - 2 * arc * (2 * first * first - 2 * root)
-        - 2 * kink
-        - 8 * growth
-    )
+    return -beta * y_apart - 2 * arc * (2 * first * first - 2 * root) - 2 * kink - 8 * growth
+
+
+def strength_each(moment_there):
+    """b of the expansion t = b/(℘ − c), by θ″ at the tip.
+
+    Equation exsl17; proved as swing.strength.
+    """
+    return 0.25 * moment_there
+
+
+def point_pole_each(b, sine, cosine):
+    """x = ℘ − c by the sine and cosine of δ/2, or any two numbers in their ratio.
+
+    Equation exsl22; proved as swing.point_pole.
+    """
+    return b * cosine / sine
 
 
 def far_pair_root_each(end):
@@ -1013,14 +1098,63 @@ def far_pair_root_each(end):
     return 0.25 * end * end
 
 
+def point_near_each(b, sine, done_sine, left_sine):
+    """X₁ = x − ê₁ at a point, zero at the far turning point, by sin D, sin(δ/2) and sin(D − δ/2).
+
+    Proved as swing.point_near.
+    """
+    return b * left_sine / (sine * done_sine)
+
+
+def pair_root_each(root_near, done_sine, whole, rate):
+    """√X₂√X₃ by the phase's sum and the rate of χ over that at the turning points.
+
+    Proved as swing.pair_root.
+    """
+    return 0.125 * root_near * whole * rate / done_sine
+
+
+def pair_root_sum_each(square, delta):
+    """√X₂ + √X₃ by sin²ψ and Δ.
+
+    Equation DLMF 19.26(iii); proved as swing.pair_root_sum.
+    """
+    return 2 * delta / np.sqrt(square)
+
+
 # Solver
 
 
-class Rod(NamedTuple):
+class Record(tuple):
+    """A tuple whose fields have names: the annotations of its class, in order. Made from a tuple of all its values."""
+
+    __slots__ = ()
+    _fields: tuple[str, ...]
+    _places = namedtuple("_places", "a b c d e f g h i j k l m n o p")  # no record has more fields
+
+    def __init_subclass__(cls):
+        """Give every field its place; what reads a place is taken from one named tuple."""
+        cls._fields = tuple(cls.__annotations__)
+        for name, place in zip(cls._fields, cls._places._fields, strict=False):
+            setattr(cls, name, getattr(cls._places, place))
+
+    def __repr__(self):
+        """The class and the fields by name."""
+        fields = ", ".join(f"{name}={value!r}" for name, value in zip(self._fields, self, strict=True))
+        return f"{type(self).__name__}({fields})"
+
+    def _replace(self, **changed):
+        """The same with some other values."""
+        return type(self)([changed.get(name, value) for name, value in zip(self._fields, self, strict=True)])
+
+
+class Rod(Record):
     """A rod in units in which β + η is of order one: lengths are 2**scale times the user's.
 
 
     """
+
+    __slots__ = ()
 
     beta: float
     eta: float
@@ -1030,11 +1164,13 @@ class Rod(NamedTuple):
     scale: int
 
 
-class Motion(NamedTuple):
+class Motion(Record):
     """A motion from rest at the tip through the clamp angle to rest at the far turning point, and back.
 
     With χ from 0 at the tip to π at the far turning point, dσ = dχ/√(end² cos²χ + middle² sin²χ).
     """
+
+    __slots__ = ()
 
     tip: float  # the tip angle, in the turn of the landscape
     half_width: float
@@ -1053,8 +1189,10 @@ class Motion(NamedTuple):
     left_sine: float  # sin(left/2)
 
 
-class Stay(NamedTuple):
+class Stay(Record):
     """A motion, and the lengths for which it stays near its tip, its middle, and its far turning point besides."""
+
+    __slots__ = ()
 
     motion: Motion
     tip: float
@@ -1063,25 +1201,47 @@ class Stay(NamedTuple):
     arrival: float
 
 
-class Arc(NamedTuple):
-    """A stretch of rod from the tip: ∫cos θ, ∫sin θ and η∫cos²(θ − α)."""
+class Heading(Record):
+    """The tip's direction: cos and sin of φ, and of 2(φ − α)."""
+
+    __slots__ = ()
+
+    cosine: float
+    sine: float
+    double_cosine: float
+    double_sine: float
+
+
+class Arc(Record):
+    """A stretch of rod from the tip, less what it would be if it were straight along the tip's direction.
+
+    ∫cos θ, ∫sin θ and η∫cos²(θ − α), with cos θ − cos φ for cos θ and likewise.
+    """
+
+    __slots__ = ()
 
     y: float
     z: float
     square: float
 
 
-class Swing(NamedTuple):
+class Swing(Record):
     """A half-swing of a bent rod, for its shape: how it was found, its length, and its arc. turns: of the clamp.
+
+    heading: the tip's direction. total: the arc of the whole rod.
 
     The clamp lies on the half-swing after ``whole`` of them, at the length ``arrival`` from where the motion is as at
     the tip, of which ``regular`` is not straight, and at the phase ψ with sin²ψ = square and cos²ψ = rest.
     """
 
+    __slots__ = ()
+
     stay: Stay
     turns: int
     length: float
+    heading: Heading
     arc: Arc
+    total: Arc
     middle_angle: float
     far_angle: float
     whole: int
@@ -1109,20 +1269,22 @@ def positive(name: str, value: object) -> float:
 
 def weak_rod(beta, eta, length, clamp_angle):
     """The rod that is all but straight: θ″ is that of the clamp angle, to the square of rounding."""
-    rod = Rod(beta, eta, length, clamp_angle, 1, 0)
+    rod = Rod((beta, eta, length, clamp_angle, 1, 0))
     lean = clamp_angle - 0.5 * pi
     moment = beta * sin(clamp_angle) + eta * sin(lean) * cos(lean)
     gamma = 2 * beta * cos(clamp_angle) + eta * cos(lean) * cos(lean)
     tip = clamp_angle - moment * length * length / 2
     y, z = length * cos(clamp_angle), length * sin(clamp_angle)
-    return Equilibrium(tip, -moment * length, gamma, y, z, -gamma * length / 2, 0, rod, None)
+    return Equilibrium((tip, -moment * length, gamma, y, z, -gamma * length / 2, 0, rod, None))
 
 
-class Rest(NamedTuple):
+class Rest(Record):
     """A direction without moment: angle = quarters·π/2 + extra.
 
     stiffness: dθ″/dθ there, positive on a hill. double_cosine, double_sine: of 2(angle − α).
     """
+
+    __slots__ = ()
 
     quarters: int
     extra: float
@@ -1132,25 +1294,30 @@ class Rest(NamedTuple):
     double_sine: float
 
 
-class Landscape(NamedTuple):
+class Landscape(Record):
     """The directions of one turn, from the highest hill to the same hill a turn on: hill, well(, ridge, well), hill.
 
-    level: the ridge is as high as the hill. even: V is symmetric about every hill and well.
+    level: the ridge is as high as the hill. even: V is symmetric about every hill and well. shoulder: where a ridge is
+    nearly there, the direction at which the couple, ``moment``, is nearest to zero; None where that is not asked for.
     """
+
+    __slots__ = ()
 
     rests: tuple[Rest, ...]
     level: bool
     even: bool
+    shoulder: Rest | None
+    moment: float
 
 
 def along(beta, quarters, sign):
     """A direction along or against the force, no field: what it is about the field is not asked."""
-    return Rest(quarters, 0, quarters * (pi / 2), sign * beta, 1, 0)
+    return Rest((quarters, 0, quarters * (pi / 2), sign * beta, 1, 0))
 
 
 def no_field(beta):
     """The force alone."""
-    return Landscape((along(beta, 0, 1), along(beta, 2, -1), along(beta, 4, 1)), False, True)
+    return Landscape(((along(beta, 0, 1), along(beta, 2, -1), along(beta, 4, 1)), False, True, None, 0.0))
 
 
 def orthogonal_double(beta, eta):
@@ -1159,16 +1326,16 @@ def orthogonal_double(beta, eta):
     stiffness = (eta - beta) * (eta + beta) / eta
     cosine = 1 - 2 * (beta / eta) * (beta / eta)
     sine = -2 * (beta / eta) * sqrt((eta - beta) * (eta + beta)) / eta
-    low = Rest(0, -lean, -lean, stiffness, cosine, -sine)
-    high, again = Rest(0, lean, lean, stiffness, cosine, sine), low._replace(quarters=4, angle=2 * pi - lean)
-    top, bottom = Rest(0, 0, 0, beta - eta, -1, 0), Rest(2, 0, pi, -beta - eta, -1, 0)
-    return Landscape((low, top, high, bottom, again), True, True)
+    low = Rest((0, -lean, -lean, stiffness, cosine, -sine))
+    high, again = Rest((0, lean, lean, stiffness, cosine, sine)), low._replace(quarters=4, angle=2 * pi - lean)
+    top, bottom = Rest((0, 0, 0, beta - eta, -1, 0)), Rest((2, 0, pi, -beta - eta, -1, 0))
+    return Landscape(((low, top, high, bottom, again), True, True, None, 0.0))
 
 
 def orthogonal_single(beta, eta):
     """The field across a force that is not weaker: one hill, at 0."""
-    top, again = (Rest(quarters, 0, quarters * (pi / 2), beta - eta, -1, 0) for quarters in (0, 4))
-    return Landscape((top, Rest(2, 0, pi, -beta - eta, -1, 0), again), False, True)
+    top, again = (Rest((quarters, 0, quarters * (pi / 2), beta - eta, -1, 0)) for quarters in (0, 4))
+    return Landscape(((top, Rest((2, 0, pi, -beta - eta, -1, 0)), again), False, True, None, 0.0))
 
 
 def landscape(beta, eta):
@@ -1187,12 +1354,14 @@ def landscapes(beta, eta):
 def offset_from(rest, angle, turns):
     """angle − (rest + turns·2π), without cancellation; 0 where no angle within rounding of this tells them apart."""
     offset = less_quarters(angle, 4 * turns + rest.quarters) - rest.extra
-    blur = epsilon() * (abs(angle) + abs(rest.extra))
-    return pick((abs(offset) <= blur) | (abs(offset) < epsilon() ** 9), 0, offset)
+    blur = 2.0**-52 * (abs(angle) + abs(rest.extra))
+    return 0 if (abs(offset) <= blur) | (abs(offset) < (2.0**-52) ** 9) else offset
 
 
-class Clamp(NamedTuple):
+class Clamp(Record):
     """The clamp angle in a landscape: whole turns, and its offset from each direction without moment."""
+
+    __slots__ = ()
 
     turns: int
     offsets: tuple[float, ...]
@@ -1203,37 +1372,47 @@ def clamp_in(rests, angle):
     turns = floor((angle - rests[0].angle) / (2 * pi))
     for _ in range(3):
         offsets = tuple(offset_from(rest, angle, turns) for rest in rests)
-        shift = pick(offsets[0] < 0, -1, pick(offsets[-1] >= 0, 1, 0))
-        if not any_of(shift != 0):
+        shift = -1 if offsets[0] < 0 else 1 if offsets[-1] >= 0 else 0
+        if shift == 0:
             break
         turns = turns + shift
-    return Clamp(turns, offsets)
+    return Clamp((turns, offsets))
 
 
-class Ground(NamedTuple):
+class Ground(Record):
     """What the ranges of a rod are told by: its landscape and the clamp's offsets from the directions there.
 
-    drop: V(hill) − V(ridge); level: from the hill to the level of the ridge; height: V(ridge) − V(clamp). They are 0
-    where no ridge is lower than the hill.
+    drop: V(hill) − V(ridge); level: from the hill to the level of the ridge, depth: from there to the well; by_hill:
+    level is told by the hill, depth by the well if not; height: V(ridge) − V(clamp). They are 0 where no ridge is lower
+    than the hill.
     """
+
+    __slots__ = ()
 
     eta: float
     scene: Landscape
     at: tuple[float, ...]
     drop: float
     level: float
+    depth: float
+    by_hill: bool
     height: float
 
 
 def level_ground(eta, scene, at):
     """The ground without a ridge lower than the hill."""
-    return Ground(eta, scene, at, 0, 0, 0)
+    return Ground((eta, scene, at, 0, 0, 0, True, 0))
 
 
 def ridge_fall(beta, eta, hill, ridge):
     """V(hill) − V(ridge): the sine of half their distance times the slope of V between, as if it were a circle."""
     half, middle = (ridge.extra - hill.extra) / 2, pi / 2 + (hill.extra + ridge.extra) / 2
     return cos(half) * (2 * beta * sin(middle) - eta * sin(half) * sin(2 * (middle - 0.5 * pi)))
+
+
+def turn_to(start, end):
+    """The angle from one direction without moment to another, however near they are to each other."""
+    return (end.quarters - start.quarters) * (pi / 2) + (end.extra - start.extra)
 
 
 def fall_from_rest(eta, stiffness, double_cosine, double_sine, middle, half):
@@ -1258,7 +1437,7 @@ def fall(eta, rest, start, change):
 
 def pick_rest(condition, yes, no):
     """One or the other direction, number by number."""
-    return Rest(*(pick(condition, *pair) for pair in zip(yes, no, strict=True)))
+    return Rest(pick(condition, *pair) for pair in zip(yes, no, strict=True))
 
 
 def step_to(eta, rest, offset, goal):
@@ -1268,14 +1447,14 @@ def step_to(eta, rest, offset, goal):
     sine, cosine = 2 * small * large, 1 - 2 * small * small
     level = rest_fall(eta, rest.stiffness, rest.double_cosine, rest.double_sine, small, large, small, large)
     force = abs(rest_moment(eta, rest.stiffness, rest.double_cosine, rest.double_sine, sine, cosine))
-    here, force = sqrt(abs(level)), larger(force, epsilon() ** 20)
+    here, force = sqrt(abs(level)), larger(force, (2.0**-52) ** 20)
     whole_sine, whole_cosine = 2 * sine * cosine, 1 - 2 * sine * sine
     # dθ″/dθ, by β and α as the direction has them.
     turned = rest.double_cosine * (2 * whole_cosine * whole_cosine - 1 - whole_cosine)
     turned = turned - rest.double_sine * whole_sine * (2 * whole_cosine - 0.5)
     bend = (rest.stiffness * whole_cosine + eta * turned) * (here / force) * (here / force)
-    share = (here - goal) / larger(here, epsilon() ** 20)
-    return 2 * here * (here - goal) / force, share * (pick(level < 0, -bend, bend) - 0.5)
+    share = (here - goal) / larger(here, (2.0**-52) ** 20)
+    return 2 * here * (here - goal) / force, share * ((-bend if level < 0 else bend) - 0.5)
 
 
 def reach(eta, rest, amount, most, side):
@@ -1284,19 +1463,19 @@ def reach(eta, rest, amount, most, side):
     most: the distance of the next well (or hill). Halley's method for the square root of the difference, which is
     nearly linear, from the pendulum's value.
     """
-    amount = larger(amount, 0)  # of a hill and a well that nearly meet, rounding may give less
-    share = amount / larger(abs(fall(eta, rest, 0, side * most)), epsilon() ** 20)
-    near = most * asin(sqrt(pick(share < 1, share, 1))) * (2 / pi)
+    amount = amount if amount > 0 else 0  # of a hill and a well that nearly meet, rounding may give less
+    share = amount / larger(abs(fall(eta, rest, 0, side * most)), (2.0**-52) ** 20)
+    near = most * asin(sqrt(share if share < 1 else 1)) * (2 / pi)
     goal = sqrt(amount)
     for _ in range(40):
         step, bent = step_to(eta, rest, side * near, goal)
         safe = abs(bent) < 0.5
-        trial = near - step / pick(safe, 1 - bent, 1)
-        trial = pick(trial > most, (near + most) / 2, pick(trial < 0, near / 2, trial))
+        trial = near - step / (1 - bent if safe else 1)
+        trial = (near + most) / 2 if trial > most else near / 2 if trial < 0 else trial
         # The method cubes the error, and Newton's squares it: after steps this small the next would change nothing.
-        small = pick(safe, spacing(trial) ** 0.45, spacing(trial) ** 0.6)
+        small = (2.0**-52) ** 0.45 if safe else (2.0**-52) ** 0.6
         moving, near = abs(trial - near) > small * near, trial
-        if not any_of(moving):
+        if not moving:
             break
     return near
 
@@ -1304,15 +1483,15 @@ def reach(eta, rest, amount, most, side):
 def ridge_ground(eta, scene, at, drop):
     """The ground with a lower ridge."""
     rests = scene.rests
-    down, above = rests[1].angle - rests[0].angle, fall(eta, rests[2], 0, rests[1].angle - rests[2].angle)
+    down, above = turn_to(rests[0], rests[1]), fall(eta, rests[2], 0, turn_to(rests[2], rests[1]))
     # Of a ridge that is next to its wells V tells at the hill nothing.
     by_hill = drop < above
-    rest, amount = pick_rest(by_hill, rests[0], rests[1]), pick(by_hill, drop, above)
-    distance = reach(eta, rest, amount, down, pick(by_hill, 1, -1))
-    level = pick(by_hill, distance, down - distance)
+    rest, amount = pick_rest(by_hill, rests[0], rests[1]), drop if by_hill else above
+    distance = reach(eta, rest, amount, down, 1 if by_hill else -1)
+    level, depth = distance if by_hill else down - distance, down - distance if by_hill else distance
     # Near the far hill V says which is higher only by the distance from that hill.
-    height = pick(at[2] < -at[4], fall(eta, rests[2], 0, at[2]), fall(eta, rests[4], 0, at[4]) - drop)
-    return Ground(eta, scene, at, drop, level, height)
+    height = fall(eta, rests[2], 0, at[2]) if at[2] < -at[4] else fall(eta, rests[4], 0, at[4]) - drop
+    return Ground((eta, scene, at, drop, level, depth, by_hill, height))
 
 
 def ground_of(beta, eta, scene, clamp):
@@ -1322,7 +1501,7 @@ def ground_of(beta, eta, scene, clamp):
         return level_ground(eta, scene, at)
     drop = 0 if scene.level else ridge_fall(beta, eta, rests[0], rests[2])
     # A ridge lower by less than this would be passed only from within its square root of the hill.
-    if drop <= epsilon() ** 17 * (beta + eta):
+    if drop <= (2.0 ** (-52)) ** 17 * (beta + eta):
         return level_ground(eta, scene._replace(level=True, even=True), at)
     return ridge_ground(eta, scene, at, drop)
 
@@ -1332,13 +1511,16 @@ def in_basin(at, first, inside, builders):
     return [(inside & (at[first + 1] <= 0), builders[0]), (inside & (at[first + 1] > 0), builders[1])]
 
 
-class Basin(NamedTuple):
+class Basin(Record):
     """What stops the rod and what it swings about: the hill that tips come from and the well below them, the hill
     that stops the motion and the last well before it, and the direction where it is slowest between its ends: the
     ridge that it passes, or the well.
 
-    far_rise: V(far) − V(hill). even: the motion is symmetric about its middle.
+    far_rise: V(far) − V(hill). even: the motion is symmetric about its middle. whole: far is the hill a turn on.
+    shoulder, moment: of a landscape in which a ridge is nearly there.
     """
+
+    __slots__ = ()
 
     hill: Rest
     well: Rest
@@ -1348,14 +1530,19 @@ class Basin(NamedTuple):
     far_rise: float
     passes: bool
     even: bool
+    whole: bool
+    shoulder: Rest | None
+    moment: float
 
 
-class Piece(NamedTuple):
+class Piece(Record):
     """Tip angles from low to low + width in a basin; angles as differences, told without loss.
 
     low_kind: 'hill', or 'level', where V is that of the ridge. high_kind: 'clamp', the clamp angle itself; 'turn', the
     angle from which the rod turns back at the clamp angle; 'level'.
     """
+
+    __slots__ = ()
 
     basin: Basin
     low_kind: str
@@ -1368,6 +1555,9 @@ class Piece(NamedTuple):
     clamp_rest: Rest  # the direction next to the clamp
     clamp_offset: float  # clamp − that direction
     far_gap: float  # far − clamp
+    beyond_well: float  # clamp − far_well
+    past_hill: float  # clamp − hill
+    past_well: float  # clamp − well
 
 
 def piece_of(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, at):
@@ -1376,10 +1566,11 @@ def piece_of(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_ga
     rest, offset = rests[0], at[0]
     for other, distance in zip(rests[1:], at[1:], strict=False):
         closer = abs(distance) < abs(offset)
-        if any_of(closer):
-            rest, offset = pick_rest(closer, other, rest), pick(closer, distance, offset)
-    last = at[len(rests) - 1]
-    return Piece(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last)
+        if closer:
+            rest, offset = pick_rest(closer, other, rest), distance if closer else offset
+    beyond, last = at[len(rests) - 2 : len(rests)]
+    ends = low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap
+    return Piece((basin, *ends, rest, offset, -last, beyond, at[0], at[1]))
 
 
 def from_hill_to_clamp(basin, at):
@@ -1391,8 +1582,10 @@ def basin_of(ground, first):
     """The basin between two neighbouring hills."""
     scene = ground.scene
     hill, well, far = scene.rests[first : first + 3]
-    even = scene.even and (scene.level or len(scene.rests) == 3)
-    return Basin(hill, well, far, well, well, ground.drop if first else 0, False, even)
+    whole = len(scene.rests) == 3
+    even = scene.even and (scene.level or whole)
+    rise, beside = ground.drop if first else 0, (scene.shoulder, scene.moment)
+    return Basin((hill, well, far, well, well, rise, False, even, whole, *beside))
 
 
 def first_clamp(ground):
@@ -1402,15 +1595,15 @@ def first_clamp(ground):
 
 def from_hill_to_turn(eta, basin, at):
     """From a hill to where the rod turns back at a clamp beyond the well."""
-    down, depth = basin.well.angle - basin.hill.angle, at[1]
+    down, depth = turn_to(basin.hill, basin.well), at[1]
     width = -at[2]
     if not basin.even:
         above = -fall(eta, basin.well, 0, at[1])
         below = fall(eta, basin.far, 0, at[2]) - basin.far_rise
-        from_top = reach(eta, basin.hill, larger(below, 0), down, 1)
+        from_top = reach(eta, basin.hill, below if below > 0 else 0, down, 1)
         from_well = reach(eta, basin.well, above, down, -1)
-        depth = pick(below < above, down - from_top, from_well)
-        width = pick(below < above, from_top, down - from_well)
+        depth = down - from_top if below < above else from_well
+        width = from_top if below < above else down - from_well
     return piece_of(basin, "hill", "turn", 0, width, depth, depth + at[1], 0, at)
 
 
@@ -1432,7 +1625,7 @@ def last_turn(ground):
 def over_ridge(ground):
     """What stops a motion that passes the ridge."""
     hill, well, ridge, second, far = ground.scene.rests
-    return Basin(hill, well, far, second, ridge, 0, True, ground.scene.even)
+    return Basin((hill, well, far, second, ridge, 0, True, ground.scene.even, True, None, 0.0))
 
 
 def pass_clamp(ground):
@@ -1443,8 +1636,9 @@ def pass_clamp(ground):
 
 def pass_level(ground):
     """From the highest hill to the level of the ridge."""
-    over, level, at = over_ridge(ground), ground.level, ground.at
-    return piece_of(over, "hill", "level", 0, level, over.well.angle - over.hill.angle - level, at[0] - level, 0, at)
+    level, depth, at = ground.level, ground.depth, ground.at
+    gap = at[0] - level if ground.by_hill else at[1] + depth
+    return piece_of(over_ridge(ground), "hill", "level", 0, level, depth, gap, 0, at)
 
 
 def moment_from_rest(eta, stiffness, double_cosine, double_sine, offset):
@@ -1457,22 +1651,23 @@ def slope(eta, rest, offset):
     return moment_from_rest(eta, rest.stiffness, rest.double_cosine, rest.double_sine, offset)
 
 
-def onward(eta, rest, start, amount, rough, wanted):
-    """How far beyond ``start``, an offset from a direction without moment, V has fallen by ``amount``.
+def onward(eta, rest, start, amount, rough, wanted, moment=0):
+    """How far beyond ``start``, an offset from a direction of that moment, V has fallen by ``amount``.
 
     The rough value is good to rounding of the angles; where little of it is left, the slope of V at the start gives a
     better one. Newton's method does the rest, until all that are wanted are found.
     """
-    steep = slope(eta, rest, start)
+    steep = slope(eta, rest, start) + moment * cos(start)
     told = (abs(rough) > 1e-3 * abs(start)) | (steep == 0)
-    distance = pick(told, rough, amount / pick(told, 1, steep))
+    distance = rough if told else amount / (1 if told else steep)
     for _ in range(40):
-        force = slope(eta, rest, start + distance)
-        step = (fall(eta, rest, start, distance) - amount) / pick(force == 0, 1, force)
+        force = slope(eta, rest, start + distance) + moment * cos(start + distance)
+        fallen = fall(eta, rest, start, distance) + 2 * moment * cos(start + distance / 2) * sin(distance / 2)
+        step = (fallen - amount) / (1 if force == 0 else force)
         away = abs(distance - step) > pi
         stuck = away & (distance == rough)
-        distance = pick(away, rough, distance - step)
-        if not any_of(wanted & (stuck == 0) & (abs(step) > spacing(distance) ** 0.6 * abs(distance))):
+        distance = rough if away else distance - step
+        if not wanted & (stuck == 0) & (abs(step) > (2.0 ** (-52)) ** 0.6 * abs(distance)):
             break
     return distance
 
@@ -1480,12 +1675,21 @@ def onward(eta, rest, start, amount, rough, wanted):
 def pass_turn(ground):
     """From the highest hill to where the rod turns back at a clamp above the level of the ridge, beyond it."""
     eta, over, level, at = ground.eta, over_ridge(ground), ground.level, ground.at
-    down = over.well.angle - over.hill.angle
-    width = -at[4] if over.even else reach(eta, over.hill, fall(eta, over.far, 0, at[4]), down, 1)
+    down, below = turn_to(over.hill, over.well), fall(eta, over.far, 0, at[4])
+    # V of the clamp above the first well: above the ridge, and the ridge above the well.
+    above = fall(eta, over.axis, 0, turn_to(over.axis, over.well)) - ground.height
+    by_hill = below < above
+    rest, amount = pick_rest(by_hill, over.hill, over.well), below if by_hill else above
+    distance = reach(eta, rest, amount, down, 1 if by_hill else -1)
+    width, depth = distance if by_hill else down - distance, down - distance if by_hill else distance
+    if over.even:
+        width = -at[4]
     # Towards the hill V is flat and tells little, but there the angles tell all.
-    near = width >= level / 2
-    gap = pick(near, -onward(eta, over.hill, level, ground.height, width - level, near), level - width)
-    return piece_of(over, "hill", "turn", 0, width, down - width, at[0] - width, gap, at)
+    near, apart = width >= level / 2, level - width if by_hill else depth - ground.depth
+    start = level if ground.by_hill else -ground.depth
+    rest = pick_rest(ground.by_hill, over.hill, over.well)
+    gap = -onward(eta, rest, start, ground.height, -apart, near) if near else apart
+    return piece_of(over, "hill", "turn", 0, width, depth, at[0] - width if by_hill else at[1] + depth, gap, at)
 
 
 def level_clamp(ground):
@@ -1497,13 +1701,13 @@ def level_clamp(ground):
 def level_turn(ground):
     """From the level of the ridge to where the rod turns back at the clamp, before the ridge."""
     eta, basin, level, at = ground.eta, basin_of(ground, 0), ground.level, ground.at
-    down = basin.well.angle - basin.hill.angle
+    down = turn_to(basin.hill, basin.well)
     above, below = -fall(eta, basin.well, 0, at[1]), fall(eta, basin.far, 0, at[2])
     from_well = reach(eta, basin.well, above, down, -1)
     # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
     from_hill = reach(eta, basin.hill, ground.drop + below, down, 1)
     near = onward(eta, basin.hill, level, below, from_hill - level, True)
-    width = pick(below < above / 4, near, down - level - from_well)
+    width = near if below < above / 4 else down - level - from_well
     return piece_of(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
 
 
@@ -1537,12 +1741,14 @@ def slowness(hill):
     return 1 / sqrt(hill.stiffness) if hill.stiffness > 0 else 0
 
 
-class Delay(NamedTuple):
+class Delay(Record):
     """By how much a motion lasts longer when the place goes deeper by one, where that is all that changes.
 
     Near an end the rod is straight for long along the directions at which the motion nearly rests: at the tip, in the
     middle, and at the far turning point. arrival: the share of ``middle`` before the first arrival.
     """
+
+    __slots__ = ()
 
     deepest: float
     tip: float
@@ -1554,89 +1760,35 @@ class Delay(NamedTuple):
 def ridge_offset(piece):
     """Clamp less ridge, for a motion that passes the ridge."""
     ridge, rest = piece.basin.axis, piece.clamp_rest
-    return piece.clamp_offset if rest.angle == ridge.angle else rest.angle - ridge.angle
+    return piece.clamp_offset if rest.angle == ridge.angle else turn_to(ridge, rest)
 
 
 def delays(piece):
     """The delays at both ends, beyond the depth at which squares of offsets would underflow."""
     basin, depth = piece.basin, deepest(piece.width)
-    if basin.hill.stiffness < epsilon() ** 8:  # so flat that the moment is as the cube of the offset
+    if basin.hill.stiffness < (2.0 ** (-52)) ** 8:  # so flat that the moment is as the cube of the offset
         depth = 2 * depth / 3
     # With next to no moment at the clamp a rod is straight but for an offset whose square would underflow.
-    straight = piece.high_kind == "clamp" and abs(piece.clamp_offset) < epsilon() ** 5
-    far, none = slowness(basin.far), Delay(2 * depth if straight else depth, 0, 0, 0, 0)
+    straight = piece.high_kind == "clamp" and abs(piece.clamp_offset) < (2.0**-52) ** 5
+    far, none = slowness(basin.far), Delay((2 * depth if straight else depth, 0, 0, 0, 0))
     if piece.low_kind == "level":
-        return Delay(depth, 0, 0, far / 2, 0), none
-    low = Delay(depth, slowness(basin.hill), 0, far if basin.far_rise == 0 else 0, 0)
+        return Delay((depth, 0, 0, far / 2, 0)), none
+    low = Delay((depth, slowness(basin.hill), 0, far if basin.far_rise == 0 else 0, 0))
     if piece.high_kind != "level":
         return low, none
     ridge = slowness(basin.axis)
     behind = ridge_offset(piece)
-    return low, Delay(depth, 0, ridge, 0, ridge if behind > 0 else ridge / 2 if behind == 0 else 0)
+    return low, Delay((depth, 0, ridge, 0, ridge if behind > 0 else ridge / 2 if behind == 0 else 0))
 
 
 def reach_either(eta, hill, well, by_hill, amount, most):
     """``reach`` down from the hill, or up from the well, whichever is asked for."""
     rest = hill._replace(
-        stiffness=pick(by_hill, hill.stiffness, well.stiffness),
-        double_cosine=pick(by_hill, hill.double_cosine, well.double_cosine),
-        double_sine=pick(by_hill, hill.double_sine, well.double_sine),
+        stiffness=hill.stiffness if by_hill else well.stiffness,
+        double_cosine=hill.double_cosine if by_hill else well.double_cosine,
+        double_sine=hill.double_sine if by_hill else well.double_sine,
     )
-    return reach(eta, rest, amount, most, pick(by_hill, -1, 1))
-
-
-def beyond_clamp(eta, piece, drop, rough):
-    """How far the motion goes beyond the clamp, when the tip is ``drop`` below the one that turns there.
-
-    V falls by the same amount on both sides. The rough value is as good as its difference to the clamp's distance
-    from a hill or a well allows.
-    """
-    basin, rest, start = piece.basin, piece.clamp_rest, piece.clamp_offset
-    high = -piece.high_depth
-    amount = fall(eta, basin.well, high - drop, drop)
-    far = rough > 0.25 * abs(start)
-    better = onward(eta, rest, start, -amount, rough, far == 0)
-    # Newton's method leaves a place where V is nearly level for one far away.
-    return pick(far | (abs(better - rough) > 0.01), rough, better)
-
-
-def far_side(eta, piece, rise, drop, depth, done):
-    """Half the width of the motion, how far it goes on beyond the clamp, and the moment where it turns."""
-    basin = piece.basin
-    hill, well, far, far_well = basin.hill, basin.well, basin.far, basin.far_well
-    down = far.angle - far_well.angle
-    if piece.low_kind == "level":
-        below = fall(eta, hill, piece.low_offset, rise)
-    else:
-        below = basin.far_rise + fall(eta, hill, 0, rise)
-    if basin.passes:
-        # Not below the ridge, however near it is to the well behind it.
-        ridge = fall(eta, basin.axis, 0, far_well.angle - basin.axis.angle)
-        above = larger(-fall(eta, far_well, 0, down) - below, ridge)
-    else:
-        above = -fall(eta, well, 0, -depth)
-    by_hill = below < above
-    distance = reach_either(eta, far, far_well, by_hill, pick(by_hill, below, above), down)
-    turn = pick(by_hill, down - distance, distance)  # far turning point − far_well
-    # clamp − far_well
-    clamp_turn = down - piece.far_gap if basin.passes else piece.clamp_gap - piece.high_depth
-    left = pick(by_hill, piece.far_gap - distance, distance - clamp_turn)
-    if basin.passes:
-        half_width = (turn + depth + (far_well.angle - well.angle)) / 2
-    else:
-        half_width = (turn + depth) / 2
-    far_moment = pick(by_hill, slope(eta, far, -distance), slope(eta, far_well, distance)) * -1
-    far_moment = larger(far_moment, 4 * epsilon() * distance)
-    if piece.high_kind == "turn":
-        left = larger(beyond_clamp(eta, piece, drop, left), 0)
-    return half_width, left, far_moment, pick(by_hill, distance, down - distance)
-
-
-def unevenness(eta, middle, sine, near, far):
-    """√far − √near: by the roots where they are apart, else by far − near = 2η sin 2(middle − α) sin(half_width)."""
-    by_turns = 2 * eta * sin(2 * (middle - 0.5 * pi)) * sine / (sqrt(near) + sqrt(far))
-    apart = (8 * near < far) | (8 * far < near) | (near + far < 2 * eta * sine)
-    return pick(apart, sqrt(far) - sqrt(near), by_turns)
+    return reach(eta, rest, amount, most, -1 if by_hill else 1)
 
 
 def wrapped(angle):
@@ -1644,48 +1796,128 @@ def wrapped(angle):
     return angle - 2 * pi * floor(angle / (2 * pi) + 0.5)
 
 
-def above_field(eta, basin, middle, half_width, height):
+def beyond_clamp(eta, piece, rise, drop, rough):
+    """How far the motion goes beyond the clamp, when the tip is ``drop`` below the one that turns there.
+
+    V falls by the same amount on both sides. The rough value is as good as its difference to the clamp's distance
+    from a hill or a well allows.
+    """
+    basin, rest, start, moment = piece.basin, piece.clamp_rest, piece.clamp_offset, 0
+    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
+    upper = from_hill < depth
+    amount = fall(eta, pick_rest(upper, basin.hill, basin.well), from_hill if upper else -depth, drop)
+    far = rough > 0.25 * abs(start)
+    if basin.shoulder is not None:
+        apart = wrapped(rest.angle + start - basin.shoulder.angle)
+        near = 2 * abs(apart) < abs(start)
+        rest, start = pick_rest(near, basin.shoulder, rest), apart if near else start
+        moment, far = basin.moment if near else 0, rough > 0.25 if near else far
+    better = onward(eta, rest, start, -amount, rough, far == 0, moment)
+    # Newton's method leaves a place where V is nearly level for one far away.
+    return rough if far | (abs(better - rough) > 0.01) else better
+
+
+def beside_shoulder(eta, basin, angle, offset, moment):
+    """θ″ at an angle, by the shoulder of V if that is nearer than the direction by whose offset it was told."""
+    if basin.shoulder is None:
+        return moment
+    apart = wrapped(angle - basin.shoulder.angle)
+    told = basin.moment * cos(apart) + slope(eta, basin.shoulder, apart)
+    return told if 2 * abs(apart) < abs(offset) else moment
+
+
+def least_moment(basin):
+    """What rounding leaves at least of a moment, by the distance from the direction that tells it: where a hill and a
+    well all but meet, and are not among the directions that are told, it would leave nothing, or less."""
+    return (2.0**-52) ** 2 if basin.passes or not basin.whole else 4 * 2.0**-52
+
+
+def far_side(eta, piece, rise, drop, depth, done, height):
+    """Half the width of the motion, how far it goes on beyond the clamp, and the moment where it turns."""
+    basin = piece.basin
+    hill, well, far, far_well = basin.hill, basin.well, basin.far, basin.far_well
+    down = turn_to(far_well, far)
+    if piece.low_kind == "level":
+        below = fall(eta, hill, piece.low_offset, rise)
+    else:
+        below = basin.far_rise + fall(eta, hill, 0, rise)
+    if basin.passes:
+        # Above the ridge by its height, and the ridge above the well behind it.
+        above = height + fall(eta, basin.axis, 0, turn_to(basin.axis, far_well))
+    else:
+        above = -fall(eta, well, 0, -depth)
+    by_hill = below < above
+    distance = reach_either(eta, far, far_well, by_hill, below if by_hill else above, down)
+    turn = down - distance if by_hill else distance  # far turning point − far_well
+    left = piece.far_gap - distance if by_hill else distance - piece.beyond_well
+    if piece.high_kind == "turn":
+        left = larger(beyond_clamp(eta, piece, rise, drop, left), 0)
+    if basin.shoulder is not None:
+        # V may be so nearly level there that only from the clamp is it told where the motion turns.
+        turn, half_width = piece.beyond_well + left, (done + left) / 2
+    elif basin.passes:
+        half_width = (turn + depth + turn_to(well, far_well)) / 2
+    else:
+        half_width = (turn + depth) / 2
+    far_moment = (slope(eta, far, -distance) if by_hill else slope(eta, far_well, distance)) * -1
+    far_moment = -beside_shoulder(eta, basin, far_well.angle + turn, distance, -far_moment)
+    far_moment = larger(far_moment, least_moment(basin) * distance)
+    return half_width, left, far_moment, distance if by_hill else down - distance
+
+
+def unevenness(eta, middle, sine, near, far):
+    """√far − √near: by the roots where they are apart, else by far − near = 2η sin 2(middle − α) sin(half_width)."""
+    by_turns = 2 * eta * sin(2 * (middle - 0.5 * pi)) * sine / (sqrt(near) + sqrt(far))
+    apart = (8 * near < far) | (8 * far < near) | (near + far < 2 * eta * sine)
+    return sqrt(far) - sqrt(near) if apart else by_turns
+
+
+def above_field(eta, basin, offset, turn, height):
     """``mean`` less η where they are near each other: 2(V(tip) − V)/(cos(θ − middle) − cos(half_width)) at the θ at
-    which it is least, which lies then near the ridge or the well. height: from there to the tip."""
-    shift = wrapped(2 * (0.5 * pi - middle))
-    offset = wrapped(middle + shift - basin.axis.angle)
+    which it is least, which lies then near the ridge or the well, at an offset from it.
+
+    turn: half of what it is divided by. height: V(tip) less that of the ridge or the well.
+    """
     # As near the ridge as rounding it is nearer still: it is there to the second order in the height.
-    offset = pick(abs(offset) < 32 * spacing(offset), 0, offset)
-    outer, inner = sin(half_width / 2), sin(shift / 2)
-    turn = outer * outer - inner * inner
-    return (height + fall(eta, basin.axis, 0, offset)) / pick(turn == 0, 1, turn)
+    offset = 0 if abs(offset) < 32 * 2.0**-52 else offset
+    return (height + fall(eta, basin.axis, 0, offset)) / (1 if turn == 0 else turn)
 
 
-def mean_less_field(eta, basin, middle, half_width, double, near, far, height, mean):
+def mean_less_field(eta, basin, centre, half_width, near, far, height, mean):
     """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
     level."""
     apart = mean - eta
     close = apart <= 0.1 * eta
-    if any_of(close):
-        ahead, behind = sin(half_width / 2 + double / 2), sin(half_width / 2 - double / 2)
+    if close:
+        # 2(axis − α), and 2(middle − α).
+        axis = atan2(basin.axis.double_sine, basin.axis.double_cosine)
+        double = wrapped(axis + 2 * centre)
+        ahead, behind = sin((half_width + double) / 2), sin((half_width - double) / 2)
         by_far, by_near = far - 2 * eta * ahead * ahead, near - 2 * eta * behind * behind
-        known = pick(2 * by_far > far, by_far, by_near)
+        known = by_far if 2 * by_far > far else by_near
         far_off = close & (2 * by_far <= far) & (2 * by_near <= near)
-        if any_of(far_off):
-            known = pick(far_off, above_field(eta, basin, middle, half_width, height), known)
-        apart = pick(close, known, apart)
+        if far_off:
+            # Not from a well that is far from where V is nearly level: there V tells least.
+            told, turn = by_near if near < far else by_far, ahead * behind
+            there = above_field(eta, basin, wrapped(-axis - centre), turn, height)
+            known = (there if height <= abs(turn) * eta * (abs(ahead) + abs(behind)) else told) if far_off else known
+        apart = known if close else apart
     # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.
-    least = larger(height, epsilon() ** 19) if basin.passes else epsilon() * pick(near < far, near, far) / 4
-    return larger(apart, least)
+    least = larger(height, (2.0**-52) ** 19) if basin.passes else 2.0**-52 * (near if near < far else far) / 4
+    return apart if apart > least else least
 
 
-def rates(beta, eta, basin, tip, half_width, sine, near, far, height):
-    """dχ/dσ at the ends and in the middle of the motion."""
-    middle, cosine = tip + half_width, cos(half_width)
-    double = 2 * (middle - 0.5 * pi)
-    cos_middle, cos_double = cos(middle), cos(double)
+def rates(beta, eta, basin, centre, half_width, sine, near, far, height):
+    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle."""
+    middle, cosine = basin.axis.angle + centre, cos(half_width)
+    cos_middle, cos_double = cos(middle), cos(2 * (middle - 0.5 * pi))
     product = sqrt(near) * sqrt(far)
     excess = -(2 * beta * cos_middle * cosine + eta * cos_double * (1 + cosine * cosine))
-    split, rate = excess < 0, sqrt(product + larger(excess, 0))
-    if any_of(split):
+    split, rate = excess < 0, sqrt(product + (excess if excess > 0 else 0))
+    if split:
         mean = -(2 * beta * cos_middle + eta * cosine * cos_double)
-        apart = mean_less_field(eta, basin, middle, half_width, double, near, far, height, mean)
-        rate = pick(split, sine * sqrt(apart * (mean + eta) / pick(split, product - excess, 1)), rate)
+        apart = mean_less_field(eta, basin, centre, half_width, near, far, height, mean)
+        rate = sine * sqrt(apart * (mean + eta) / (product - excess if split else 1)) if split else rate
     return sqrt(product / 2), rate / 2
 
 
@@ -1696,51 +1928,55 @@ def motion_at(beta, eta, piece: Piece, place):
     from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
     upper = from_hill < depth
     hill, well = basin.hill, basin.well
-    offset = pick(upper, from_hill, -depth)
-    stiffness = pick(upper, hill.stiffness, well.stiffness)
-    double_cosine = pick(upper, hill.double_cosine, well.double_cosine)
-    double_sine = pick(upper, hill.double_sine, well.double_sine)
-    tip = pick(upper, hill.angle, well.angle) + offset
+    offset = from_hill if upper else -depth
+    stiffness = hill.stiffness if upper else well.stiffness
+    double_cosine = hill.double_cosine if upper else well.double_cosine
+    double_sine = hill.double_sine if upper else well.double_sine
+    tip = (hill.angle if upper else well.angle) + offset
     near_moment = moment_from_rest(eta, stiffness, double_cosine, double_sine, offset)
     # How far V falls from the tip to the well, or to the level of a ridge that the motion passes.
     change = (drop + piece.level_gap if basin.passes else depth) / 2
     height = fall_from_rest(eta, stiffness, double_cosine, double_sine, offset + change, change)
-    done = piece.clamp_gap + drop
+    # Near the high end the clamp is told from there, else as the tip is: the clamp's own distances are exact.
+    done, apart = piece.clamp_gap + drop, piece.past_hill - from_hill if upper else piece.past_well + depth
+    done = done if done < 0.5 * (from_hill if upper else abs(piece.past_well)) else apart
     if basin.even:
-        half_width = depth + (basin.axis.angle - well.angle)
+        half_width = depth + turn_to(well, basin.axis)
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
         far_moment, far_distance = near_moment, from_hill
     else:
-        half_width, left, far_moment, far_distance = far_side(eta, piece, rise, drop, depth, done)
-        # Where a hill and a well nearly meet, rounding leaves nothing, or less, of a moment.
-        near_moment = larger(near_moment, 4 * epsilon() * abs(offset))
+        half_width, left, far_moment, far_distance = far_side(eta, piece, rise, drop, depth, done, height)
+        near_moment = beside_shoulder(eta, basin, tip, offset, near_moment)
+        near_moment = larger(near_moment, least_moment(basin) * abs(offset))
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
-    whole_turn = basin.far.quarters - hill.quarters == 4 and basin.far.extra == hill.extra
-    lack = (from_hill + far_distance) / 2 if whole_turn else pi - half_width
-    sine = sin(pick(lack < half_width, lack, half_width))
+    lack = (from_hill + far_distance) / 2 if basin.whole else pi - half_width
+    sine = sin(lack if lack < half_width else half_width)
     near, far = 2 * near_moment / sine, 2 * far_moment / sine
     uneven = 0 if basin.even else unevenness(eta, tip + half_width, sine, near, far)
     # done/2 + left/2 = half_width: near half a turn one follows from the other.
-    done_sine = sin(pick(done > pi, lack + left / 2, done / 2))
-    left_sine = sin(pick(left > pi, lack + done / 2, left / 2))
+    done_sine = sin(lack + left / 2 if done > pi else done / 2)
+    left_sine = sin(lack + done / 2 if left > pi else left / 2)
     half_cosine = sin(lack / 2)
-    end, middle = rates(beta, eta, basin, tip, half_width, sine, near, far, height)
+    centre = half_width - depth - turn_to(well, basin.axis)
+    end, middle = rates(beta, eta, basin, centre, half_width, sine, near, far, height)
     return Motion(
-        tip,
-        half_width,
-        done,
-        left,
-        near_moment,
-        far_moment,
-        near,
-        far,
-        end,
-        middle,
-        sine,
-        half_cosine,
-        uneven,
-        done_sine,
-        left_sine,
+        (
+            tip,
+            half_width,
+            done,
+            left,
+            near_moment,
+            far_moment,
+            near,
+            far,
+            end,
+            middle,
+            sine,
+            half_cosine,
+            uneven,
+            done_sine,
+            left_sine,
+        )
     )
 
 
@@ -1751,15 +1987,17 @@ def stay_at(beta, eta, piece, ends, place):
     depth = min(abs(place), delay.deepest)
     more = abs(place) - depth
     motion = motion_at(beta, eta, piece, -depth if place < 0 else depth)
-    return Stay(motion, more * delay.tip, more * delay.middle, more * delay.far, more * delay.arrival)
+    return Stay((motion, more * delay.tip, more * delay.middle, more * delay.far, more * delay.arrival))
 
 
-class Phase(NamedTuple):
+class Phase(Record):
     """Where on its half-swing the motion meets the clamp.
 
     The length from the tip is ∫dψ/√(a² cos²ψ + b² sin²ψ) from 0 to ψ, with a and b half of ``end`` and ``middle``; the
     half-swing ends at ψ = π/2. whole, delta: what the speed there follows from.
     """
+
+    __slots__ = ()
 
     square: float  # sin²ψ
     rest: float  # cos²ψ
@@ -1775,14 +2013,14 @@ def phase_of(motion):
     gap = sin((motion.left - motion.done) / 4)
     behind, ahead = far * done / whole, near * left / whole
     lead = phase_lead(near, motion.half_cosine, motion.uneven, done, gap) / whole
-    cosine = pick(abs(ahead - behind) > 0.8, ahead - behind, lead)
+    cosine = ahead - behind if abs(ahead - behind) > 0.8 else lead
     # Not zero: at the tip itself the motion has no point by ℘.
-    square = larger(chi_square(behind, ahead), epsilon() ** 19)
+    square = larger(chi_square(behind, ahead), (2.0**-52) ** 19)
     size, first = abs(cosine), cosine >= 0
     delta = hypot(end * cosine, motion.middle * sqrt(square))
-    half = pick(first, half_square(end, square, size, delta), half_square_beyond(end, size, delta))
-    rest = pick(first, half_rest(end, size, delta), half_rest_beyond(end, motion.middle, square, size, delta))
-    return Phase(half, rest, whole, delta)
+    half = half_square(end, square, size, delta) if first else half_square_beyond(end, size, delta)
+    rest = half_rest(end, size, delta) if first else half_rest_beyond(end, motion.middle, square, size, delta)
+    return Phase((half, rest, whole, delta))
 
 
 def lengths(a, b, square, rest):
@@ -1790,9 +2028,9 @@ def lengths(a, b, square, rest):
 
     Gauss's transformation makes a and b equal (DLMF 19.8(i), 19.8(iii)); it is written in sums of positive terms only.
     """
-    limit, more = 2 * epsilon() ** 0.5, any_of(a > 0)
+    limit, more = 2 * (2.0**-52) ** 0.5, a > 0
     while more:
-        more = any_of(abs(a - b) > limit * a)
+        more = abs(a - b) > limit * a
         delta = phase_rate(a, b, square, rest)
         total, below = a + b, a + delta
         square, rest = gauss_square(square, total, below), gauss_rest(a, b, square, rest, delta, below)
@@ -1801,11 +2039,13 @@ def lengths(a, b, square, rest):
     return pi / (2 * mean), atan2(sqrt(square), sqrt(rest)) / mean
 
 
-class Sample(NamedTuple):
+class Sample(Record):
     """Half-swing and first arrival at a place of a piece, and of what they are: the motion and its phase at the clamp.
 
     The motion alone has the half-swing and the arrival without the lengths for which it stays anywhere.
     """
+
+    __slots__ = ()
 
     place: float
     swing: float
@@ -1822,16 +2062,18 @@ def sample_at(beta, eta, piece, ends, place):
     phase = phase_of(motion)
     regular = swing, arrival = lengths(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
     swing, arrival = swing + stay.tip + stay.middle + stay.far, arrival + stay.tip + stay.arrival
-    return Sample(place, swing, arrival, stay, phase, regular)
+    return Sample((place, swing, arrival, stay, phase, regular))
 
 
 def least_arrival(beta, eta, piece, place):
     """A length before which no motion from a place, or from a lower one, arrives.
 
-    θ″ is nowhere more than β + η/2, and at an offset from the hill no more than β + η times that: a motion that has
-    the lesser of these two gets ahead of it.
+    θ″ is nowhere more than β + η/2, and at an offset from the hill no more than β + η times that, or than its stiffness
+    times that where the field is along it: a motion that has the lesser of these two gets ahead of it.
     """
-    steep, most = beta + eta, beta + eta / 2
+    hill = piece.basin.hill
+    # β + η cos u and η cos u − β by sin u: both are largest at u = 0.
+    steep, most = hill.stiffness if hill.double_cosine == 1 else beta + eta, beta + eta / 2
     share = 1 / (1 + exp(-max(place, -deepest(piece.width))))
     offset = piece.low_offset + piece.width * share
     clamp = piece.low_offset + piece.width + piece.clamp_gap
@@ -1857,7 +2099,7 @@ def fall_between(eta, piece, one, other):
 
 def grid(beta, eta, length, piece):
     """Places to begin with: near enough where the branches bend, and to where none of them is as short as the rod."""
-    rounding = -log(epsilon())
+    rounding = -log(2.0**-52)
     slow = length * sqrt(beta + eta)
     first = -2 * slow - 6 if piece.low_kind == "level" else -slow - 6
     first = min(first, -rounding) if piece.low_kind == "level" else first
@@ -1869,7 +2111,7 @@ def grid(beta, eta, length, piece):
         last = rounding
     else:
         # The tip of a stiff rod departs from the clamp angle by half the moment there times the length squared.
-        moment = abs(slope(eta, piece.clamp_rest, piece.clamp_offset)) + epsilon() ** 20
+        moment = abs(slope(eta, piece.clamp_rest, piece.clamp_offset)) + (2.0**-52) ** 20
         last = max(rounding, 4 + log(2 * piece.width) - log(moment) - 2 * log(length))
         last = min(last, 2 * deepest(piece.width))
     inner = [0.0]
@@ -1885,7 +2127,7 @@ def astroid_cusp(field_angle):
     The pair lies at α + π + x with sin α/sin x + cos α/cos x = η/β: it is there when η/β is beyond the least value of
     the left side, taken at this x.
     """
-    return atan((sin(field_angle) / larger(cos(field_angle), epsilon())) ** (1 / 3))
+    return atan((sin(field_angle) / larger(cos(field_angle), 2.0**-52)) ** (1 / 3))
 
 
 def twist(eta, x):
@@ -1901,14 +2143,14 @@ def ridge_couple(beta, eta, field_angle, x):
 def places(beta, eta, length, piece):
     """Places to begin with, closer around the level at which the motion meets a ridge that is not quite there."""
     found, basin = grid(beta, eta, length, piece), piece.basin
-    if basin.even or basin.passes or piece.low_kind == "level" or basin.far.quarters - basin.hill.quarters != 4:
+    if basin.even or basin.passes or piece.low_kind == "level" or not basin.whole:
         return found
     angle = abs(0.5 * pi)
     cusp = angle + pi + astroid_cusp(angle)
     # How far η is below the value at which the ridge would appear.
-    missing = max(-ridge_couple(beta, eta, angle, astroid_cusp(angle)) / (beta + eta), epsilon())
+    missing = max(-ridge_couple(beta, eta, angle, astroid_cusp(angle)) / (beta + eta), 2.0**-52)
     cusp = cusp
-    down = basin.well.angle - basin.hill.angle
+    down = turn_to(basin.hill, basin.well)
     rise = reach(eta, basin.hill, fall(eta, basin.hill, 0, cusp - basin.hill.angle), down, 1)
     if missing > 0.3 or not 0 < rise < piece.width:
         return found
@@ -1926,59 +2168,64 @@ def arrives_convexly(piece):
     return known and piece.clamp_gap > piece.high_depth
 
 
-def convex_bound(found, gap, fallen):
-    """What a convex arrival is nowhere less than in a gap between samples: the chords beside it, carried on."""
-    one, other = found[gap], found[gap + 1]
-    width, bound = fallen(one, other), -inf
-    for near, far in ((gap, gap - 1), (gap + 1, gap + 2)):
-        if 0 <= far < len(found):
-            beside = fallen(found[min(near, far)], found[max(near, far)])
+def ends_of(found, places, gap):
+    """The places between which a gap lies: before the sample of its number, or behind the last."""
+    return found[gap - 1].place if gap > 0 else places[0], found[gap].place if gap < len(found) else places[-1]
+
+
+def convex_bound(found, gap, width, fallen):
+    """What a convex arrival is nowhere less than in a gap before a sample: the chords beside it, carried on.
+
+    width: how far V falls from one end of the gap to the other.
+    """
+    bound = -inf
+    for near, far in ((gap - 1, gap - 2), (gap, gap + 1)):
+        if min(near, far) >= 0 and max(near, far) < len(found):
+            beside = abs(fallen(found[near].place, found[far].place))
             if beside > 0:
                 steep = (found[far].arrival - found[near].arrival) / beside
                 bound = max(bound, found[near].arrival - max(steep * width, 0))
     return bound
 
 
-def open_gap(found, fallen, length):
-    """The wider gap beside the least sample in which a convex arrival may be no longer than the length, or None."""
+def open_gap(found, places, fallen, length):
+    """The gap beside the least sample in which a convex arrival may be least and no longer than the length, or None."""
     least = min(range(len(found)), key=lambda k: found[k].arrival)
-    best, widest = None, 2 * sqrt(epsilon()) * (1 + abs(found[least].place))
-    for gap in (least - 1, least):
-        if 0 <= gap < len(found) - 1:
-            width = found[gap + 1].place - found[gap].place
-            if width > widest and convex_bound(found, gap, fallen) <= (1 + SAFE) * length:
-                best, widest = gap, width
+    best, bound = None, (1 + SAFE) * length
+    for gap in (least, least + 1):
+        low, high = ends_of(found, places, gap)
+        if high - low > 2 * sqrt(2.0 ** (-52)) * (1 + abs(found[least].place)):
+            lowest = convex_bound(found, gap, fallen(low, high), fallen)
+            if lowest <= bound:
+                best, bound = gap, lowest
     return best
 
 
-def inner(places, one, other, always):
-    """The middle one of the places between two samples; where there is none, half way if ``always``, else None."""
-    inside = [place for place in places if one.place < place < other.place]
-    if inside:
-        return inside[len(inside) // 2]
-    return (one.place + other.place) / 2 if always else None
+def inside(places, low, high):
+    """The middle one of the places in a gap; where there is none, half way, or its end if that is one of all."""
+    within = [place for place in places if low < place < high]
+    if within:
+        return within[len(within) // 2]
+    return (low + high) / 2
 
 
 def valley(sample, places, fallen, length):
     """Samples on both sides of every crossing of a length that is shorter than a half-swing, for a convex arrival.
 
-    Without a crossing there may be none. fallen(one, other): how far V falls from the tip of a sample to the next.
+    Without a crossing there may be none. fallen(low, high): how far V falls between the tips at two places.
     """
-    found = [sample(place) for place in sorted({places[0], places[len(places) // 2], places[-1]})]
+    last = len(places) - 1
+    found = [sample(places[k]) for k in sorted({last // 4, last // 2, last - last // 4})]
     while min(item.arrival for item in found) > length:
-        gap = open_gap(found, fallen, length)
+        gap = open_gap(found, places, fallen, length)
         if gap is None:
             return []
-        found.insert(gap + 1, sample(inner(places, found[gap], found[gap + 1], True)))
-    done, todo = [found[0]], found[:0:-1]
-    while todo:
-        crossed = (done[-1].arrival > length) != (todo[-1].arrival > length)
-        place = inner(places, done[-1], todo[-1], False) if crossed else None
-        if place is None:
-            done.append(todo.pop())
-        else:
-            todo.append(sample(place))
-    return done
+        found.insert(gap, sample(inside(places, *ends_of(found, places, gap))))
+    while found[0].arrival <= length and found[0].place > places[0]:
+        found.insert(0, sample(max(place for place in places if place < found[0].place)))
+    while found[-1].arrival <= length and found[-1].place < places[-1]:
+        found.append(sample(min(place for place in places if place > found[-1].place)))
+    return found
 
 
 def bends(first, second, third, length):
@@ -2054,7 +2301,7 @@ def samples_on(beta, eta, length, piece, sample, short):
         return least_arrival(beta, eta, piece, place) > (1 + SAFE) * length
 
     def fallen(one, other):
-        return fall_between(eta, piece, one.place, other.place)
+        return fall_between(eta, piece, one, other)
 
     if too_low(inf):
         return []
@@ -2078,7 +2325,10 @@ def between(samples, counts, k):
     turns = range(max(ceil(low), 0), max(ceil(high), 0))
     if not turns:
         return []
-    beside = samples[k - 2] if k > 1 else samples[-1] if len(samples) == k + 1 else samples[k + 1]
+    near = 4 * (samples[k].place - samples[k - 1].place)
+    beside = [samples[k - 2]] if k > 1 and samples[k - 1].place - samples[k - 2].place < near else []
+    if k + 1 < len(samples) and samples[k + 1].place - samples[k].place < near:
+        beside.append(samples[k + 1])
     return [(number, samples[k - 1], samples[k], beside) for number in turns]
 
 
@@ -2086,7 +2336,7 @@ def dip(sample, short, left, middle, right):
     """The sample at which ``short`` is least between left and right by golden sections, or the first below zero."""
     golden = (3 - sqrt(5)) / 2
     value = short(middle)
-    while right.place - left.place > 2 * sqrt(epsilon()) * (1 + abs(middle.place)):
+    while right.place - left.place > 2 * sqrt(2.0 ** (-52)) * (1 + abs(middle.place)):
         wide = right.place - middle.place > middle.place - left.place
         end = right if wide else left
         trial = sample(middle.place + golden * (end.place - middle.place))
@@ -2122,11 +2372,11 @@ def at_extremum(sample, triple, counts, length, sign):
     best = dip(sample, short, left, middle, right)
     if short(best) >= 0:
         return []
-    return [(goal, left, best, right), (goal, best, right, left)]
+    return [(goal, left, best, [right]), (goal, best, right, [left])]
 
 
 def brackets(sample, samples, counts, length, sign):
-    """(turns, sample, sample, a third) for every whole number that the count crosses between the two samples."""
+    """(turns, sample, sample, those beside) for every whole number that the count crosses between the two samples."""
     found = []
     for k in range(1, len(samples)):
         found += between(samples, counts, k)
@@ -2142,42 +2392,66 @@ def excess(item, turns, sign, length):
     return (2 * turns * item.swing if turns else 0) + sign * item.arrival - length
 
 
-def interpolated(a, b, c, value_a, value_b, value_c):
-    """Where on the way from a to b inverse quadratic interpolation puts the zero, or half way where it is unsafe."""
-    if value_c in (value_a, value_b):
-        return 0.5
-    x, y = (a - b) / (c - b), (value_a - value_b) / (value_c - value_b)
-    if x <= 0 or y * y >= x or (1 - y) * (1 - y) >= 1 - x:
-        return 0.5
-    share = value_a / (value_b - value_a) * value_c / (value_b - value_c)
-    share = share + (c - a) / (b - a) * value_a / (value_c - value_a) * value_b / (value_c - value_b)
-    return share if 0 < share < 1 else 0.5
+def with_node(nodes, parts, place, value):
+    """The places of a polynomial and its divided differences, with one more place in front, and no more than five."""
+    found = [value]
+    for k in range(min(len(nodes), 4)):
+        value = (value - parts[k]) / (place - nodes[k])
+        found.append(value)
+    return [place, *nodes[:4]], found
+
+
+def zero_near(nodes, parts):
+    """A zero of a polynomial near its first place; any number where there is none."""
+    last, before, third, fourth = (nodes + 2 * nodes[-1:])[:4]
+    value, slope, bend, twist, rest = (*parts, 0, 0, 0)[:5]
+    zero = last
+    for _ in range(3):
+        steep = slope + (zero - before) * (bend + (zero - third) * (twist + (zero - fourth) * rest))
+        if steep == 0:
+            break
+        zero = last - value / steep
+    return zero
 
 
 def bracketed_root(function, places, values, blur):
-    """A sign change of the function between the first two places, to rounding, by Chandrupatla's method (1997).
+    """A sign change of the function between the first two places, to rounding.
 
-    If there is a third place, it has a value, too. blur: a value that rounding may have made of zero.
+    By the zero of the polynomial through the last five places at which the function is known, or by halving where that
+    gains little. More places may be known than two. blur: a value that rounding may have made of zero.
     """
-    (a, b, *third), (value_a, value_b, *value_third) = places, values
-    fraction = interpolated(a, b, third[0], value_a, value_b, value_third[0]) if third else 0.5
+    nodes, parts = [], []
+    for k in range(len(places) - 1, -1, -1):
+        nodes, parts = with_node(nodes, parts, places[k], values[k])
+    (a, b, *_), (value_a, value_b, *_) = places, values
+    halve = False
     while True:
-        trial = a + fraction * (b - a)
+        if abs(value_b) < abs(value_a):
+            a, b, value_a, value_b = b, a, value_b, value_a
+        least, width = 2 * 2.0**-52 * (1 + abs(a)), abs(b - a)
+        if 2 * least > width or abs(value_a) <= blur:
+            return a
+        share = 0.5 if halve else (zero_near(nodes, parts) - a) / (b - a)
+        if 2 * abs(share) * width < least and abs(value_a) < 16 * blur:
+            return a
+        if -0.05 < share < 0:  # rounding of the values puts the zero on the wrong side
+            share = -2 * share
+        share = max(least / width, share) if 0 <= share < 1 else 0.5
+        trial = a + min(1 - least / width, share) * (b - a)
         value = function(trial)
+        nodes, parts = with_node(nodes, parts, trial, value)
+        little = 4 * abs(value) > abs(value_a)
         if (value > 0) == (value_a > 0):
-            c, value_c = a, value_a
+            a, value_a = trial, value
         else:
-            c, value_c, b, value_b = b, value_b, a, value_a
-        a, value_a = trial, value
-        best, value_best = (a, value_a) if abs(value_a) < abs(value_b) else (b, value_b)
-        least = 2 * epsilon() * (1 + abs(best)) / abs(b - a)
-        if least > 0.5 or abs(value_best) <= blur:
-            return best
-        fraction = min(1 - least, max(least, interpolated(a, b, c, value_a, value_b, value_c)))
+            b, value_b = trial, value
+        halve = little and 2 * abs(b - a) > width
 
 
-class Crossing(NamedTuple):
+class Crossing(Record):
     """A tip whose rod has the right length, on branch 2·turns·H + sign·t; ``rising``: the branch grows with the tip."""
+
+    __slots__ = ()
 
     sample: Sample
     turns: int
@@ -2185,18 +2459,17 @@ class Crossing(NamedTuple):
     rising: bool
 
 
-def crossing(sample, turns, sign, length, before, after, beside):
-    """The crossing between two samples on either side of it; a third one beside them helps to start."""
+def crossing(sample, turns, sign, length, known):
+    """The crossing between the first two samples, on either side of it; those beside them help to start."""
     seen = {}
 
     def function(place):
         seen[place] = sample(place)
         return excess(seen[place], turns, sign, length)
 
-    known = (before, after, beside)
     values = [excess(item, turns, sign, length) for item in known]
-    place = bracketed_root(function, [item.place for item in known], values, epsilon() * length)
-    return Crossing(seen.get(place) or sample(place), turns, sign, values[1] > values[0])
+    place = bracketed_root(function, [item.place for item in known], values, 2.0**-52 * length)
+    return Crossing((seen.get(place) or sample(place), turns, sign, values[1] > values[0]))
 
 
 def crossings(beta, eta, length, piece, most):
@@ -2215,7 +2488,7 @@ def crossings(beta, eta, length, piece, most):
         for turns, before, after, beside in brackets(sample, samples, counts, length, sign):
             # At least 2·turns − 1 conjugate points, or one more on the branch that has gone on.
             if (turns or sign > 0) and 2 * turns - (sign < 0) <= most:
-                found.append(crossing(sample, turns, sign, length, before, after, beside))
+                found.append(crossing(sample, turns, sign, length, (before, after, *beside)))
     return found
 
 
@@ -2231,6 +2504,12 @@ def index_of(crossing):
     return swings if positive == (swings % 2 == 0) else swings + 1
 
 
+def heading_of(field_angle, motion):
+    """The direction of a motion's tip."""
+    double = 2 * (motion.tip - field_angle)
+    return Heading((cos(motion.tip), sin(motion.tip), cos(double), sin(double)))
+
+
 def rj_pair(x, product, root_sum, p, lift, less, twist):
     """R_J(x, y, z, p) by duplication, for x ≥ 0, complex p, and y and z by √y√z and √y + √z.
 
@@ -2242,14 +2521,14 @@ def rj_pair(x, product, root_sum, p, lift, less, twist):
     one, two = start - x, 2 * start - pair
     both = start * start - start * pair + product * product
     reach = abs(one) + abs(start - p) + sqrt(abs(both))
-    target = (epsilon() / 4) ** 0.125
+    target = (2.0**-52 / 4) ** 0.125
     scale, total = 1, 0
-    while any_of(reach > target * scale * abs(mean)):
+    while reach > target * scale * abs(mean):
         root, root_p = sqrt(x), complex_sqrt(p)
         side, across = root_p * root_sum, root * root_sum
         plus, minus = lift + side, lift - side
         cancels = (abs(plus) < abs(minus)) & (scale == 1)
-        d = (root_p + root) * pick(cancels, twist / (less * pick(cancels, minus, 1)), plus)
+        d = (root_p + root) * (twist / (less * (minus if cancels else 1)) if cancels else plus)
         raised, lifted = lift + across, sqrt(x + product + across)
         end = 2 * root_p * raised / d
         total = total + arctan_share(twist / (scale * scale * scale * d * d), end) / (scale * d)
@@ -2271,10 +2550,10 @@ def rj_pair(x, product, root_sum, p, lift, less, twist):
     return (1 + low + high) / (scale * mean * complex_sqrt(mean)) + 6 * total
 
 
-def shift(eta, double_sine, double_cosine, motion, point, root, square, rest):
+def shift(eta, heading, motion, point, root, square, rest):
     """W as real and imaginary part: ∫e^{iθ} from the tip is e^{iφ}(σ + W)."""
     b, near, far = point.strength, sqrt(motion.near), sqrt(motion.far)
-    twist = complex_of(rj_delta_real(eta, b, double_cosine), rj_delta_imag(eta, b, double_sine))
+    twist = complex_of(rj_delta_real(eta, b, heading.double_cosine), rj_delta_imag(eta, b, heading.double_sine))
     lift = pair_lift(near, far, motion.uneven, motion.half_cosine, square, rest)
     pole, lifted, less = complex_of(point.pole, -b), complex_of(lift, -b), complex_of(root, -b)
     third = rj_pair(point.one, point.product, point.root_sum, pole, lifted, less, twist)
@@ -2289,42 +2568,45 @@ def kink_at(first, second, point, root, q, m, square, rest):
     others = others_sum(q, root)
     gap = pole_gap(x, abs(x), others, others_product(b, m, root, others), product)
     far = arc_kink(square, delta, across, b, x, near_root, product)
-    return pick(x > 1, arc_kink_tip(first, second, delta, across, b, x, near_root, gap), far)
+    return arc_kink_tip(first, second, delta, across, b, x, near_root, gap) if x > 0.25 else far
 
 
 def second_kind(a, b, square, rest, arrival):
     """(b² − a²)∫sin²ψ over the same range as ``arrival``, the length, by the same transformation (DLMF 19.8.19)."""
-    limit, more, weight, growth = 2 * epsilon() ** 0.5, any_of(a > 0), 1, 0
+    limit, more, weight, growth = (2.0**-52) ** 0.5, a > 0, 1, 0
+    gap = a - b
     while more:
-        more = any_of(abs(a - b) > limit * a)
+        more = abs(gap) > limit * a
         delta = phase_rate(a, b, square, rest)
-        growth = growth - weight * second_kind_step(a, b, square, rest, delta, arrival)
         total, below = a + b, a + delta
+        growth = growth - weight * second_kind_step(total, gap, below, square, rest, arrival)
         square, rest = gauss_square(square, total, below), gauss_rest(a, b, square, rest, delta, below)
         a, b, weight = total / 2, sqrt(a * b), 2 * weight
+        gap = gauss_gap(gap, a + b)  # a difference would lose what the weight brings out
     return growth
 
 
-def arc_to(beta, eta, motion, point, square, rest, extent):
+def arc_to(beta, eta, heading, motion, point, square, rest, extent):
     """The arc from the tip to a point, at ψ, of the given length."""
-    sine, cosine, lean = sin(motion.tip), cos(motion.tip), motion.tip - 0.5 * pi
-    double_sine, double_cosine = sin(2 * lean), cos(2 * lean)
     root = far_root(motion.near, cos(motion.half_width))
-    w_re, w_im = shift(eta, double_sine, double_cosine, motion, point, root, square, rest)
-    y, z = arc_y(sine, cosine, extent, w_re, w_im), arc_z(sine, cosine, extent, w_re, w_im)
+    w_re, w_im = shift(eta, heading, motion, point, root, square, rest)
+    y, z = arc_y(heading.sine, heading.cosine, w_re, w_im), arc_z(heading.sine, heading.cosine, w_re, w_im)
     first, second = motion.end / 2, motion.middle / 2
-    q, m = rest_stiffness(beta, eta, cosine, double_cosine), tip_cubic(beta, eta, sine, double_sine)
+    q = rest_stiffness(beta, eta, heading.cosine, heading.double_cosine)
+    m = tip_cubic(beta, eta, heading.sine, heading.double_sine)
     kink = kink_at(first, second, point, root, q, m, square, rest)
     growth = second_kind(first, second, square, rest, extent)
-    return Arc(y, z, arc_square(beta, eta, cosine, cos(lean), first, root, extent, y, kink, growth))
+    return Arc((y, z, arc_square(beta, first, root, extent, y, kink, growth)))
 
 
-class Point(NamedTuple):
+class Point(Record):
     """A point of a motion by ℘ − c = x and ℘ − e at its three half-period values.
 
     one: ℘ − e₁, with e₁ that of the far turning point. product, root_sum: √(℘ − e₂)√(℘ − e₃) and √(℘ − e₂) + √(℘ − e₃),
     real also where e₂ and e₃ are a complex pair.
     """
+
+    __slots__ = ()
 
     strength: float  # b
     pole: float  # x
@@ -2337,16 +2619,20 @@ def far_point(motion):
     """The far turning point."""
     b = strength(motion.near_moment)
     pole = point_pole(b, motion.sine, cos(motion.half_width))
-    return Point(b, pole, 0, far_pair_root(motion.end), motion.middle)
+    return Point((b, pole, 0, far_pair_root(motion.end), motion.middle))
 
 
-def with_stays(eta, arc, stay, middle, far, basin):
-    """An arc with the straight lengths along the directions at which the motion nearly rests."""
+def with_stays(rod, heading, arc, basin, middle, far):
+    """An arc with the straight lengths along the ridge and the far hill, at which the motion nearly rests.
+
+    Those along the tip's direction change nothing.
+    """
     y, z, square = arc
-    for angle, extent in ((stay.motion.tip, stay.tip), (basin.axis.angle, middle), (basin.far.angle, far)):
-        aligned = cos(angle - 0.5 * pi)
-        y, z, square = y + extent * cos(angle), z + extent * sin(angle), square + extent * eta * aligned * aligned
-    return Arc(y, z, square)
+    for angle, extent in ((basin.axis.angle, middle), (basin.far.angle, far)):
+        turned = rod.eta * (cos(2 * (angle - 0.5 * pi)) - heading.double_cosine) / 2
+        y, z = y + extent * (cos(angle) - heading.cosine), z + extent * (sin(angle) - heading.sine)
+        square = square + extent * turned
+    return Arc((y, z, square))
 
 
 def clamp_point(motion, phase):
@@ -2357,7 +2643,40 @@ def clamp_point(motion, phase):
     delta = phase_rate(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
     # 2Δ/sin ψ is no less than ``middle``, the square of which may underflow.
     root_sum = larger(pair_root_sum(phase.square, delta), motion.middle)
-    return Point(b, point_pole(b, done, cos(motion.done / 2)), one, product, root_sum)
+    return Point((b, point_pole(b, done, cos(motion.done / 2)), one, product, root_sum))
+
+
+def sent_back(motion):
+    """The motion from its far turning point back to the tip, as the mirror at the y axis shows it.
+
+    A clamp at the turning point itself, where the motion has no point by ℘, is a little before it.
+    """
+    return motion._replace(
+        tip=-(motion.tip + 2 * motion.half_width),
+        done=motion.left,
+        left=motion.done,
+        near_moment=motion.far_moment,
+        far_moment=motion.near_moment,
+        near=motion.far,
+        far=motion.near,
+        uneven=-motion.uneven,
+        done_sine=larger(motion.left_sine, (2.0**-52) ** 6),
+        left_sine=motion.done_sine,
+    )
+
+
+def arc_from_far(eta, heading, there, arc, extent):
+    """The arc of a motion turned back, whose heading is ``there``, as what departs from the tip's direction."""
+    y, z = arc.y + extent * (there.cosine - heading.cosine), arc.z + extent * (there.sine + heading.sine)
+    return Arc((y, -z, arc.square + extent * eta * (there.double_cosine - heading.double_cosine) / 2))
+
+
+def last_stretch(rod, heading, motion, extent):
+    """The arc from the last turning point to the clamp, of a rod that ends on its way back; extent: its length."""
+    back = sent_back(motion)
+    there, phase = heading_of(-0.5 * pi, back), phase_of(back)
+    arc = arc_to(rod.beta, rod.eta, there, back, clamp_point(back, phase), phase.square, phase.rest, extent)
+    return arc_from_far(rod.eta, heading, there, arc, extent)
 
 
 def bent_rod(rod, turns, piece, crossing, index):
@@ -2365,45 +2684,56 @@ def bent_rod(rod, turns, piece, crossing, index):
     beta, eta, length = rod.beta, rod.eta, rod.length
     stay, phase, (swing, arrival) = crossing.sample.stay, crossing.sample.phase, crossing.sample.regular
     motion, basin = stay.motion, piece.basin
-    whole = Arc(0, 0, 0)  # not asked for within the first half-swing
+    heading = heading_of(0.5 * pi, motion)
+    whole = Arc((0, 0, 0))  # not asked for within the first half-swing
     if crossing.turns:
-        whole = arc_to(beta, eta, motion, far_point(motion), 1, 0, swing)
-        whole = with_stays(eta, whole, stay, stay.middle, stay.far, basin)
-    part = arc_to(beta, eta, motion, clamp_point(motion, phase), phase.square, phase.rest, arrival)
-    part = with_stays(eta, part, stay, stay.arrival, 0, basin)
+        whole = arc_to(beta, eta, heading, motion, far_point(motion), 1, 0, swing)
+        whole = with_stays(rod, heading, whole, basin, stay.middle, stay.far)
     both, sign = 2 * crossing.turns, crossing.sign
-    y, z, square = (float(both * a + sign * b) for a, b in zip(whole, part, strict=True))
+    if sign > 0:
+        part = arc_to(beta, eta, heading, motion, clamp_point(motion, phase), phase.square, phase.rest, arrival)
+        part = with_stays(rod, heading, part, basin, stay.arrival, 0)
+    else:
+        part = last_stretch(rod, heading, motion, swing - arrival)
+        part = with_stays(rod, heading, part, basin, stay.middle - stay.arrival, stay.far)
+    through = both if sign > 0 else both - 1
+    arc = Arc(float(through * a + b) for a, b in zip(whole, part, strict=True))
     speed = phase.delta * phase.whole / (motion.end * motion.sine)
     speed = speed * sqrt(2 * motion.done_sine * motion.left_sine)
-    aligned = cos(motion.tip - 0.5 * pi)
-    gamma = 2 * beta * cos(motion.tip) + eta * aligned * aligned
-    energy = gamma * length / 2 - 2 * beta * y - square
+    gamma = 2 * beta * heading.cosine + eta * (1 + heading.double_cosine) / 2
+    energy = -gamma * length / 2 - 2 * beta * arc.y - arc.square
     scale = rod.scale
     first = arrival + stay.tip + stay.arrival
     # The length of the rod is better known than that of a half-swing.
     half_swing = (length - sign * first) / both if both else swing + stay.tip + stay.middle + stay.far
     return Equilibrium(
-        rod.side * (motion.tip + 2 * pi * turns),
-        -rod.side * sign * ldexp(speed, scale),
-        ldexp(gamma, 2 * scale),
-        ldexp(y, -scale),
-        rod.side * ldexp(z, -scale),
-        ldexp(energy, scale),
-        index,
-        rod,
-        Swing(
-            stay,
-            turns,
-            half_swing,
-            whole,
-            basin.axis.angle,
-            basin.far.angle,
-            both if sign > 0 else both - 1,
-            first,
-            arrival,
-            phase.square,
-            phase.rest,
-        ),
+        (
+            rod.side * plus_quarters(motion.tip, 4 * turns),
+            -rod.side * sign * ldexp(speed, scale),
+            ldexp(gamma, 2 * scale),
+            ldexp(length * heading.cosine + arc.y, -scale),
+            rod.side * ldexp(length * heading.sine + arc.z, -scale),
+            ldexp(energy, scale),
+            index,
+            rod,
+            Swing(
+                (
+                    stay,
+                    turns,
+                    half_swing,
+                    heading,
+                    whole,
+                    arc,
+                    basin.axis.angle,
+                    basin.far.angle,
+                    through,
+                    first,
+                    arrival,
+                    phase.square,
+                    phase.rest,
+                )
+            ),
+        )
     )
 
 
@@ -2426,7 +2756,7 @@ def in_order(found):
     """The list with tips that are nearer than rounding given as equal, where rounding would exchange them."""
     for k in range(1, len(found)):
         if found[k].tip_angle < found[k - 1].tip_angle:
-            found[k] = replace(found[k], tip_angle=found[k - 1].tip_angle)
+            found[k] = found[k]._replace(tip_angle=found[k - 1].tip_angle)
     return found
 
 
@@ -2453,15 +2783,17 @@ def straight_rod(rod, rest):
     energy = -(rod.beta * cosine + rod.eta * along * along / 2) * rod.length
     length = length_of(rod)
     return Equilibrium(
-        rod.side * rod.clamp_angle,
-        0 * length,
-        ldexp(gamma, 2 * rod.scale),
-        cosine * length,
-        rod.side * sine * length,
-        ldexp(energy, rod.scale),
-        index,
-        rod,
-        None,
+        (
+            rod.side * rod.clamp_angle,
+            0 * length,
+            ldexp(gamma, 2 * rod.scale),
+            cosine * length,
+            rod.side * sine * length,
+            ldexp(energy, rod.scale),
+            index,
+            rod,
+            None,
+        )
     )
 
 
@@ -2473,12 +2805,12 @@ def straight(rod, scene, clamp, most):
 
 def all_equilibria(beta, eta, length, clamp_angle, max_index):
     """Every equilibrium, sorted by tip angle: from the tips below the clamp angle, above it, and the straight rod."""
-    if length * sqrt(beta + eta) <= epsilon():
+    if length * sqrt(beta + eta) <= 2.0 ** (-52):
         return [weak_rod(beta, eta, length, clamp_angle)]
     most = inf if max_index is None else max_index
     scale = frexp(beta + eta)[1] // 2
-    rod = Rod(ldexp(beta, -2 * scale), ldexp(eta, -2 * scale), ldexp(length, scale), clamp_angle, 1, scale)
-    mirrored = Rod(rod.beta, rod.eta, rod.length, -clamp_angle, -1, scale)
+    rod = Rod((ldexp(beta, -2 * scale), ldexp(eta, -2 * scale), ldexp(length, scale), clamp_angle, 1, scale))
+    mirrored = Rod((rod.beta, rod.eta, rod.length, -clamp_angle, -1, scale))
     scene, other = landscapes(rod.beta, rod.eta)
     clamp = clamp_in(scene.rests, rod.clamp_angle)
     above = below(mirrored, other, clamp_in(other.rests, mirrored.clamp_angle), most)
@@ -2506,13 +2838,15 @@ def index_limit(max_index):
     return limit
 
 
-class Station(NamedTuple):
+class Station(Record):
     """A point of the rod on its half-swing: lengths from the tip and from the far turning point.
 
     whole: half-swings between the tip and the one it lies on, which is run through backwards where that is odd.
     beside: the length from the clamp; away: 1 where the motion from the tip is beyond the clamp there, −1 where it is
     before it, 0 where a turning point lies between.
     """
+
+    __slots__ = ()
 
     whole: int
     from_tip: float
@@ -2525,7 +2859,7 @@ def station_at(swing, whole, from_tip, length, beside, away):
     """The station at a length from the tip, or from the far turning point."""
     other = swing.length - length
     near, far = (length, other) if from_tip else (other, length)
-    return Station(whole, near, far, beside, away)
+    return Station((whole, near, far, beside, away))
 
 
 def station_of(rod, swing, s):
@@ -2535,7 +2869,7 @@ def station_of(rod, swing, s):
     """
     towards_tip = swing.whole % 2 == 0
     ahead = swing.arrival if towards_tip else swing.length - swing.arrival
-    if s < 0 or 2 * s >= rod.length:  # series of bins begin before the clamp
+    if 2 * s >= rod.length:
         whole = floor((rod.length - s) / swing.length)
         return station_at(swing, whole, whole % 2 == 0, rod.length - s - whole * swing.length, s, 0)
     if s <= ahead:
@@ -2558,6 +2892,48 @@ def parts(length, stay, regular, middle_stay):
     return first, here, middle, max(rest - middle - here, 0)
 
 
+def point_at(motion, square, rest):
+    """The point at ψ by sin²ψ and cos²ψ, and half the angle from the tip to it with its sine, by cos χ."""
+    a, b, near, far = motion.end / 2, motion.middle / 2, sqrt(motion.near), sqrt(motion.far)
+    flat = (b / a) * (b / a) * square
+    scale = chi_scale(square, rest, flat)
+    versine, coversine = chi_versine(square, rest, flat, scale), chi_coversine(rest, scale)
+    level = turn_level(near, far, versine, coversine)
+    # The difference of the roots where they are near each other, else that of the terms themselves.
+    alike = turn_tilt(near, far, motion.uneven, chi_cosine(square, rest, flat, scale))
+    apart = turn_tilt_apart(near, far, versine, coversine)
+    tilt = alike if abs(motion.uneven) < 0.1 * (near + far) else apart
+    sine, cosine = sin(motion.half_width / 2), motion.half_cosine
+    over, under = turn_over(near, sine, cosine, versine), turn_under(sine, cosine, level, tilt)
+    left_over, left_under = turn_over(far, sine, cosine, coversine), turn_under(sine, cosine, level, -tilt)
+    done = unit_sine(over, under)
+    whole = phase_sum(near, far, done, unit_sine(left_over, left_under))
+    delta, strong = phase_rate(a, b, square, rest), strength(motion.near_moment)
+    point = Point(
+        (
+            strong,
+            point_pole(strong, over, under),
+            near_by_phase(square, rest, a * a / delta),
+            pair_root(near, done, whole, chi_rate(square, rest, flat, scale)),
+            pair_root_sum(square, delta),
+        )
+    )
+    return point, atan2(over, under), done
+
+
+def way_back(rod, heading, motion, phase, extent, position):
+    """Half the angle and the arc from the far turning point to a point, by sin²ψ and cos²ψ from there."""
+    if extent == 0:
+        return 0 * extent, Arc((0, 0, 0))
+    back, (square, rest) = sent_back(motion), phase
+    point, half, _ = point_at(back, square, rest)
+    if not position:
+        return half, Arc((0, 0, 0))
+    there = heading_of(-0.5 * pi, back)
+    arc = arc_to(rod.beta, rod.eta, there, back, point, square, rest, extent)
+    return half, arc_from_far(rod.eta, heading, there, arc, extent)
+
+
 def next_to_clamp(swing, station, here, left):
     """Whether a point is nearer to the clamp than to the turning point ahead, with nothing straight between."""
     stay = swing.stay
@@ -2571,32 +2947,37 @@ def next_to_clamp(swing, station, here, left):
 def phase_before(a, b, square, rest, by):
     """sin²ψ and cos²ψ at a length before a known phase; by: those at the length itself."""
     by_square, by_rest = by
-    delta, by_delta = phase_rate(a, b, square, rest), phase_rate(a, b, by_square, by_rest)
+    share = (b / a) * (b / a)
+    ratio, by_ratio = phase_ratio(share, square, rest), phase_ratio(share, by_square, by_rest)
     fall = square - by_square if square < rest else by_rest - rest
-    over = before_over(a, square, rest, by_delta)
-    sine = before_sine(a, square, rest, delta, by_square, by_rest, by_delta, fall)
-    cosine = before_cosine(a, square, rest, delta, by_square, by_rest, by_delta, over)
+    over = before_over(square, rest, by_ratio)
+    sine = before_sine(square, rest, ratio, by_square, by_rest, by_ratio, fall)
+    cosine = before_cosine(square, rest, ratio, by_square, by_rest, by_ratio, over)
     return sine * sine, cosine * cosine
 
 
 def phase_at(a, b, length, left):
     """sin²ψ and cos²ψ at lengths from the tip and from the half-swing's end: the transformation undone."""
-    limit = 2 * epsilon() ** 0.5
-    steps = [(a, b)]
-    while any_of(abs(a - b) > limit * a):
+    limit, gap = 2 * (2.0**-52) ** 0.5, a - b
+    steps = [(a, b, gap)]
+    while abs(gap) > limit * a:
         a, b = (a + b) / 2, sqrt(a * b)
-        steps.append((a, b))
+        gap = gauss_gap(gap, a + b)
+        steps.append((a, b, gap))
     a, b = (a + b) / 2, sqrt(a * b)
     first = length <= left
-    small = sin((a + b) / 2 * pick(first, length, left))
+    small = sin((a + b) / 2 * (length if first else left))
     small = small * small
-    square, rest = pick(first, small, 1 - small), pick(first, 1 - small, small)
-    for a, b in reversed(steps):
-        gap = a - b
-        below = pick(gap > 0, back_below(a, b, square), back_below_rest(a, b, rest))
-        square, rest = back_square(a, square, below), back_rest(a, b, gap, rest, below)
+    square, rest = small if first else 1 - small, 1 - small if first else small
+    for a, b, gap in reversed(steps):
+        below = back_below(a, b, square) if gap > 0 else back_below_rest(a, b, rest)
+        # A small change rounds less than a product; a large one could cancel.
+        move = back_move(a, gap, square, rest, below)
+        little = abs(move) < 0.25 * (square if square < rest else rest)
+        far, far_rest = back_square(a, square, below), back_rest(a, b, gap, rest, below)
+        square, rest = square + move if little else far, rest - move if little else far_rest
         # The larger one is told best by the smaller one, and its rounding would double in each step.
-        square, rest = pick(rest < square, 1 - rest, square), pick(rest < square, rest, 1 - square)
+        square, rest = 1 - rest if rest < square else square, rest if rest < square else 1 - square
     return square, rest
 
 
@@ -2610,64 +2991,59 @@ def phase_beside(a, b, square, rest, station, whole):
     return rest, square
 
 
-def point_at(motion, square, rest):
-    """The point at ψ by sin²ψ and cos²ψ, and half the angle from the tip to it with its sine, by cos χ."""
-    a, b, near, far = motion.end / 2, motion.middle / 2, sqrt(motion.near), sqrt(motion.far)
-    flat = (b / a) * (b / a) * square
-    scale = chi_scale(square, rest, flat)
-    versine, coversine = chi_versine(square, rest, flat, scale), chi_coversine(rest, scale)
-    level = turn_level(near, far, versine, coversine)
-    # The difference of the roots where they are near each other, else that of the terms themselves.
-    alike = turn_tilt(near, far, motion.uneven, chi_cosine(square, rest, flat, scale))
-    apart = turn_tilt_apart(near, far, versine, coversine)
-    tilt = pick(abs(motion.uneven) < 0.1 * (near + far), alike, apart)
-    sine, cosine = sin(motion.half_width / 2), motion.half_cosine
-    over, under = turn_over(near, sine, cosine, versine), turn_under(sine, cosine, level, tilt)
-    left_over, left_under = turn_over(far, sine, cosine, coversine), turn_under(sine, cosine, level, -tilt)
-    done = unit_sine(over, under)
-    whole = phase_sum(near, far, done, unit_sine(left_over, left_under))
-    delta, strong = phase_rate(a, b, square, rest), strength(motion.near_moment)
-    point = Point(
-        strong,
-        point_pole(strong, over, under),
-        near_by_phase(square, rest, a * a / delta),
-        pair_root(near, done, whole, chi_rate(square, rest, flat, scale)),
-        pair_root_sum(square, delta),
-    )
-    return point, atan2(over, under), done
+def phase_from_far(motion, square, rest):
+    """sin²ψ and cos²ψ of a point as the motion turned back has them."""
+    first, second = motion.end / 2, motion.middle / 2
+    # The square of b may underflow.
+    delta = larger(phase_rate(first, second, square, rest), second * sqrt(square))
+    sine, cosine = far_sine(first, rest, delta), far_cosine(second, square, delta)
+    return larger(sine * sine, (2.0**-52) ** 12), cosine * cosine
 
 
-def regular_part(rod, swing, station, here, left):
+def regular_part(rod, swing, station, here, left, position):
     """θ, dθ/dσ and the arc by the motion alone, at its lengths from the tip and from the far turning point."""
-    motion = swing.stay.motion
-    if here <= epsilon() * left:  # where the square of the phase may underflow
-        return motion.tip, 0 * here, Arc(0, 0, 0)
+    motion, back, arc = swing.stay.motion, station.whole % 2 == 1, Arc((0, 0, 0))
+    if here <= 2.0 ** (-52) * left:  # where the square of the phase may underflow
+        if back and position:
+            _, arc = way_back(rod, swing.heading, motion, (1, 0), left, position)
+        return plus_quarters(motion.tip, 4 * swing.turns), 0 * here, arc
     a, b = motion.end / 2, motion.middle / 2
     if next_to_clamp(swing, station, here, left):
         square, rest = phase_beside(a, b, swing.square, swing.rest, station, here + left)
     else:
         square, rest = phase_at(a, b, here, left)
     point, half, low = point_at(motion, square, rest)
-    arc = arc_to(rod.beta, rod.eta, motion, point, square, rest, here)
-    speed = point_speed(point.strength, low, point.one, point.product)
-    return motion.tip + 2 * half, speed, arc
+    theta, speed = motion.tip + 2 * half, point_speed(point.strength, low, point.one, point.product)
+    theta = plus_quarters(theta, 4 * swing.turns)
+    if back or left < here:
+        # So near the far turning point that cos²ψ underflows the lengths tell more.
+        phase = phase_from_far(motion, square, rest) if rest > (2.0**-52) ** 12 else phase_at(a, b, left, here)
+        behind, arc = way_back(rod, swing.heading, motion, phase, left, position and back)
+        # The clamp angle is exact, and the turning point is told from there.
+        theta = rod.clamp_angle + (motion.left - 2 * behind) if left < here else theta
+    if position and not back:
+        arc = arc_to(rod.beta, rod.eta, swing.heading, motion, point, square, rest, here)
+    return theta, speed, arc
 
 
-def on_swing(rod, swing, station):
-    """θ, dθ/dσ and the arc from the tip at a point of the first half-swing."""
-    stay, motion = swing.stay, swing.stay.motion
+def on_swing(rod, swing, station, position):
+    """θ, dθ/dσ and the arc from the last turning point, or from the tip, at a point of the first half-swing."""
+    stay = swing.stay
     regular = swing.length - stay.tip - stay.middle - stay.far
-    tip, here, middle, far = parts(station.from_tip, stay.tip, regular, stay.middle)
-    _, left, _, _ = parts(station.from_far, stay.far, regular, stay.middle)
-    angle, speed, arc = regular_part(rod, swing, station, here, left)
-    for straight, extent in ((motion.tip, tip), (swing.middle_angle, middle), (swing.far_angle, far)):
+    _, here, middle, far = parts(station.from_tip, stay.tip, regular, stay.middle)
+    first, left, behind, _ = parts(station.from_far, stay.far, regular, stay.middle)
+    if station.whole % 2 == 1:
+        middle, far = behind, first
+    theta, speed, arc = regular_part(rod, swing, station, here, left, position)
+    for straight, extent in ((swing.middle_angle, middle), (swing.far_angle, far)):
         if extent > 0:
-            arc = Arc(arc.y + extent * cos(straight), arc.z + extent * sin(straight), arc.square)
-    return angle, speed, arc
+            turned_y, turned_z = cos(straight) - swing.heading.cosine, sin(straight) - swing.heading.sine
+            arc = Arc((arc.y + extent * turned_y, arc.z + extent * turned_z, arc.square))
+    return theta, speed, arc
 
 
-def angle_and_position(equilibrium, s):
-    """θ, θ′, y and z at an arc length s from the clamp."""
+def angle_and_position(equilibrium, s, position=True):
+    """θ, θ′, y and z at an arc length s from the clamp; y and z are worth nothing without ``position``."""
     rod, swing = equilibrium.rod, equilibrium.swing
     if swing is None:
         length = ldexp(rod.length, -rod.scale)
@@ -2675,45 +3051,28 @@ def angle_and_position(equilibrium, s):
         angle = equilibrium.tip_angle - bend * left * (left / length) / 2
         return angle, bend * (left / length), equilibrium.y * share, equilibrium.z * share
     station = station_of(rod, swing, ldexp(s, rod.scale))
-    back = station.whole % 2 == 1
-    angle, speed, arc = on_swing(rod, swing, station)
-    times = station.whole + 1 if back else station.whole
-    sign = -1 if back else 1
-    y = equilibrium.y - ldexp(times * swing.arc.y + sign * arc.y, -rod.scale)
-    z = equilibrium.z - rod.side * ldexp(times * swing.arc.z + sign * arc.z, -rod.scale)
-    return rod.side * (angle + 2 * pi * swing.turns), -rod.side * sign * ldexp(speed, rod.scale), y, z
+    sign = -1 if station.whole % 2 == 1 else 1
+    theta, speed, arc = on_swing(rod, swing, station, position)
+    # Along the tip's direction the rod is as long as it is; only what it departs by from that has been computed.
+    y = s * swing.heading.cosine + ldexp(swing.total.y - station.whole * swing.arc.y - arc.y, -rod.scale)
+    z = s * swing.heading.sine + ldexp(swing.total.z - station.whole * swing.arc.z - arc.z, -rod.scale)
+    return rod.side * theta, -rod.side * sign * ldexp(speed, rod.scale), y, rod.side * z
 
 
 def period_of(equilibrium):
-    """The period of θ in the length from the tip, and what y + iz changes by over it; 0 where the rod is shorter."""
+    """The period of θ in the length, and what y + iz changes by over it; 0 where the rod is shorter."""
     rod, swing = equilibrium.rod, equilibrium.swing
     if rod.length <= 2 * swing.length:
         return 0.0, 0.0
-    return 2 * swing.length, -2 * ldexp(1.0, -rod.scale) * complex(swing.arc.y, rod.side * swing.arc.z)
+    length, heading = swing.length, swing.heading
+    y, z = swing.arc.y + length * heading.cosine, swing.arc.z + length * heading.sine
+    return 2 * length, 2 * ldexp(1.0, -rod.scale) * complex(y, rod.side * z)
 
 
-def angle_and_slope(rod, swing, length):
-    """θ and its slope at a length from the tip; they cost much less than y and z."""
-    stay, motion = swing.stay, swing.stay.motion
-    count = floor(length / swing.length)
-    within, sign = length - count * swing.length, rod.side
-    if count % 2:
-        within, sign = swing.length - within, -rod.side
-    regular = swing.length - stay.tip - stay.middle - stay.far
-    moving = within - min(within, stay.tip)
-    before = min(moving, regular / 2 if stay.middle > 0 else regular)
-    here = min(before + max(moving - before - stay.middle, 0), regular)
-    if here <= 0:
-        return rod.side * (motion.tip + 2 * np.pi * swing.turns), 0.0
-    square, rest = phase_at(motion.end / 2, motion.middle / 2, here, regular - here)
-    point, half, _ = point_at(motion, square, rest)
-    cotangent = point.pole / point.strength
-    slope = 4 * sqrt(point.one) * point.product / (point.strength * (1 + cotangent * cotangent))
-    return rod.side * (motion.tip + 2 * half + 2 * np.pi * swing.turns), sign * slope
+class State(Record):
+    """What the series of a bin starts from: angle, its slope by the length, and y + iz."""
 
-
-class State(NamedTuple):
-    """What the series of a bin starts from: angle, its slope by the length from the tip, and y + iz."""
+    __slots__ = ()
 
     angle: Any
     slope: Any
@@ -2721,27 +3080,36 @@ class State(NamedTuple):
 
 
 def state_of(equilibrium, length, position):
-    """The state at a length from the tip."""
+    """The state at a length from the clamp; beyond the tip θ is even and the arc odd about it."""
     rod = equilibrium.rod
-    angle, slope = angle_and_slope(rod, equilibrium.swing, length)
-    if not position:
-        return State(angle, slope, 0)
-    _, _, y, z = angle_and_position(equilibrium, ldexp(rod.length - length, -rod.scale))
-    return State(angle, slope, complex(y, z))
+    beyond = length > rod.length
+    within = 2 * rod.length - length if beyond else length
+    angle, slope, y, z = angle_and_position(equilibrium, ldexp(within, -rod.scale), position)
+    slope, place = ldexp(slope, -rod.scale), complex(y, z)
+    if beyond:
+        slope, place = -slope, 2 * complex(equilibrium.y, equilibrium.z) - place
+    return State((angle, slope, place))
 
 
-def straight_ranges(state_at, count, turn):
+def straight_ranges(state_at, count, turns):
     """Ranges of bins at whose ends, and at turning points within, θ is the same to rounding: between them it is
     monotone, therefore constant."""
     ranges, todo = [], [(0, count)]
     while todo:
         low, high = todo.pop()
-        angles = [state_at(bins).angle for bins in (low, turn, 2 * turn, high) if low <= bins <= high]
+        angles = [state_at(bins).angle for bins in (low, *turns, high) if low <= bins <= high]
         if max(angles) - min(angles) <= 2.0**-53 * max(1.0, abs(angles[0])):
             ranges.append((low, high))
         elif high - low > COARSE:
             todo += [(low, (low + high) // 2), ((low + high) // 2, high)]
     return ranges
+
+
+def turns_of(equilibrium, width):
+    """The first turning points from the clamp on, in bins."""
+    rod, swing = equilibrium.rod, equilibrium.swing
+    first = rod.length - floor(rod.length / swing.length) * swing.length
+    return [(first + number * swing.length) / width for number in range(3)]
 
 
 def states(equilibrium, width, count, position):
@@ -2757,24 +3125,14 @@ def states(equilibrium, width, count, position):
     middles = np.arange(count) + 0.5
     straight = np.zeros(count, dtype=bool)
     angle, slope, place = np.empty(count), np.zeros(count), np.empty(count, dtype=complex)
-    for low, high in straight_ranges(state_at, count, equilibrium.swing.length / width) if count > SHORT else []:
+    for low, high in straight_ranges(state_at, count, turns_of(equilibrium, width)) if count > SHORT else []:
         first, last, inside = state_at(low), state_at(high), slice(low, high)
         share = (middles[inside] - low) / (high - low)
         straight[inside], angle[inside] = True, (first.angle + last.angle) / 2
         place[inside] = first.place + share * (last.place - first.place)
     for bins in np.flatnonzero(~straight).tolist():
         angle[bins], slope[bins], place[bins] = state_at(bins + 0.5)
-    return State(angle, slope, place), straight
-
-
-def with_mirror(equilibrium, state):
-    """States on both sides of the tip: θ is even there, and the arc is odd."""
-    tip = complex(equilibrium.y, equilibrium.z)
-    return State(
-        np.concatenate((state.angle[::-1], state.angle)),
-        np.concatenate((-state.slope[::-1], state.slope)),
-        np.concatenate((2 * tip - state.place[::-1], state.place)),
-    )
+    return State((angle, slope, place)), straight
 
 
 def series(rod, state, degree):
@@ -2788,13 +3146,13 @@ def series(rod, state, degree):
     place[0] = state.place
     for n in range(degree):
         if n:
-            # d/dσ e^{iθ} = iθ′e^{iθ}, by powers.
+            # d/ds e^{iθ} = iθ′e^{iθ}, by powers.
             once[n] = 1j / n * (turned[1 : n + 1] * once[n - 1 :: -1]).sum(axis=0)
             twice[n] = 2j / n * (turned[1 : n + 1] * twice[n - 1 :: -1]).sum(axis=0)
         if n + 2 <= degree:
             turned[n + 2] = (rod.beta * once[n].imag + rod.eta / 2 * twice[n].imag) / (n + 1)
             angle[n + 2] = turned[n + 2] / (n + 2)
-        place[n + 1] = -ldexp(1.0, -rod.scale) * once[n] / (n + 1)
+        place[n + 1] = ldexp(1.0, -rod.scale) * once[n] / (n + 1)
     return angle, place
 
 
@@ -2811,41 +3169,39 @@ def complete_series(rod, state, half):
     for degree in range(2 - int(56 / log2(half)), LONGEST + 1, 6):
         angle, place = series(rod, state, degree)
         last = abs(np.concatenate((degree * angle[-2:], ldexp(1.0, rod.scale) * place[-2:]), axis=1)).max(axis=1)
-        if max(last[0] * half ** (degree - 1), last[1] * half**degree) <= negligible():
+        if max(last[0] * half ** (degree - 1), last[1] * half**degree / min(1.0, rod.length)) <= negligible():
             return angle, place
     return None
 
 
-class Bins(NamedTuple):
-    """Series of equal bins of which the first begins at ``start`` bins from the tip.
+class Bins(Record):
+    """Series of equal bins of which the first begins at the clamp.
 
     angle, place: coefficients, by power and bin. straight: the bins in which θ is constant to rounding.
     """
 
+    __slots__ = ()
+
     width: float
-    start: int
     straight: Any
     angle: Any
     place: Any
 
 
 def bins_of(equilibrium, position):
-    """The bins of a rod: over its length, or over a period about the tip where the rod is longer than that.
+    """The bins of a rod: over its length, or over a period where the rod is longer than that.
 
     Their places are worth nothing without ``position``.
     """
-    mirrored = period_of(equilibrium)[0] > 0
-    reach = equilibrium.swing.length if mirrored else equilibrium.rod.length
-    width, series = 0.5, None
+    reach = period_of(equilibrium)[0] or equilibrium.rod.length
+    width, series = min(0.5, ldexp(1.0, frexp(reach)[1])), None
     while series is None:
         count = int(reach / width) + 1
         state, straight = states(equilibrium, width, count, position)
-        if mirrored:
-            state, straight = with_mirror(equilibrium, state), np.concatenate((straight[::-1], straight))
         series = complete_series(equilibrium.rod, state, width / 2)
         found = width
         width /= 2
-    return Bins(found, -count if mirrored else 0, straight, *series)
+    return Bins((found, straight, *series))
 
 
 def cells_for(equilibrium, bins, points):
@@ -2904,12 +3260,15 @@ def shortened(coefficients, allowed):
     """Polynomials, a column each, of least degree that differ from the given ones by no more than allowed in [−1, 1].
 
     Chebyshev polynomials are at most 1 there, so those of high degree go as long as their coefficients sum to less.
+    The constant terms stay apart: they are large, and would be rounded with every sum.
     """
     of_powers, of_chebyshev = chebyshev(len(coefficients))
-    parts = of_powers.T @ coefficients
+    parts = of_powers[1:].T @ coefficients[1:]
     tails = np.cumsum(abs(parts[::-1]), axis=0).max(axis=1)
     kept = max(2, len(parts) - int(np.searchsorted(tails, allowed, side="right")))
-    return of_chebyshev[:kept, :kept].T @ parts[:kept]
+    short = of_chebyshev[:kept, :kept].T @ parts[:kept]
+    short[0] += coefficients[0]
+    return short
 
 
 def quarter():
@@ -2925,15 +3284,17 @@ def series_of(rod, bins, cells, position):
     half = bins.width / 2
     places = (bins.place.real, bins.place.imag) if position else ()
     angle, *parts = (divided(part, half, cells) for part in (bins.angle, *places))
-    slope = -ldexp(cells / half, rod.scale) * np.arange(1, len(angle))[:, None] * angle[1:]
+    slope = ldexp(cells / half, rod.scale) * np.arange(1, len(angle))[:, None] * angle[1:]
     parts = [angle, slope, *parts]
-    length = ldexp(max(1.0, rod.length), -rod.scale)
+    length = ldexp(rod.length, -rod.scale)
     units = 1.0, ldexp(1.0, rod.scale), length, length
     return [shortened(part, quarter() * unit)[::-1].T.tolist() for part, unit in zip(parts, units, strict=False)]
 
 
-class Run(NamedTuple):
-    """Points first to last − 1, which lie in a cell, periods beyond the tip's. middle: length from the tip."""
+class Run(Record):
+    """Points first to last − 1, which lie in a cell, periods beyond the clamp's. middle: length from the clamp."""
+
+    __slots__ = ()
 
     first: int
     last: int
@@ -2945,18 +3306,17 @@ class Run(NamedTuple):
 def runs_of(equilibrium, bins, width, s):
     """The runs of points within a cell and a period."""
     rod, count = equilibrium.rod, round(len(bins.straight) * bins.width / width)
-    start, period = bins.start * bins.width / width, period_of(equilibrium)[0]
-    edges = (start + np.arange(count + 1)) * width
-    reached = int(rod.length / period + 0.5) + 1 if period else 1
+    period = period_of(equilibrium)[0]
+    edges = np.arange(count + 1) * width
     if period:
-        edges = np.clip(edges, -period / 2, period / 2)
+        edges = np.minimum(edges, period)
+    else:
+        edges[-1] = np.inf
     runs = []
-    for periods in range(reached):
-        # From the tip on, s falls.
-        ends = np.searchsorted(s, np.ldexp(rod.length - period * periods - edges, -rod.scale), side="right").tolist()
+    for periods in range(int(rod.length / period) + 1 if period else 1):
+        ends = np.searchsorted(s, np.ldexp(period * periods + edges, -rod.scale)).tolist()
         for cell in np.flatnonzero(np.diff(ends)).tolist():
-            middle = period * periods + (start + cell + 0.5) * width
-            runs.append(Run(ends[cell + 1], ends[cell], cell, periods, middle))
+            runs.append(Run((ends[cell], ends[cell + 1], cell, periods, period * periods + (cell + 0.5) * width)))
     return runs
 
 
@@ -2982,8 +3342,8 @@ def by_runs(equilibrium, bins, cells, s, position):
         for first in range(run.first, run.last, RUN_BLOCK):
             block = slice(first, min(first + RUN_BLOCK, run.last))
             within = spare[: block.stop - first]
-            np.multiply(s[block], -ldexp(2 / width, rod.scale), out=within)
-            within += (rod.length - run.middle) * (2 / width)
+            np.multiply(s[block], ldexp(2 / width, rod.scale), out=within)
+            within -= run.middle * (2 / width)
             for result, row, step in zip(results, rows, advances, strict=False):
                 sum_run(row[run.cell], run.periods * step, within, result[block])
     return results if position else [*results, None, None]
@@ -3022,20 +3382,21 @@ def short_series(rod, bins, cells, position):
     parts = [angle]
     for place in (bins.place.real, bins.place.imag) if position else ():
         part, rest = in_cells(bins, place, cells, PLACE_DEGREE)
-        if np.max(rest.sum(axis=0)) > quarter() * ldexp(max(1.0, rod.length), -rod.scale):
+        if np.max(rest.sum(axis=0)) > quarter() * ldexp(rod.length, -rod.scale):
             return None
         parts.append(part)
     return parts
 
 
-class Table(NamedTuple):
+class Table(Record):
     """Short power series in cells, for θ, y and z: four low coefficients by row, and the high ones.
 
-    period: of θ in the length from the tip, or 0 where the cells cover the rod. advance: y + iz over a period.
+    period: of θ in the length, or 0 where the cells cover the rod. advance: y + iz over a period.
     per_bin: first row and number of cells of each bin, where those differ; else None. slope: θ′ per change in a cell.
     """
 
-    start: float
+    __slots__ = ()
+
     cells: float
     per_bin: Any
     rows: tuple
@@ -3062,18 +3423,21 @@ def table_of(equilibrium, bins, position):
     counts = np.where(bins.straight, 1, cells)
     period, advance = period_of(equilibrium)
     return Table(
-        bins.start * (cells if uniform else 1),
-        cells / bins.width if uniform else 1 / bins.width,
-        None if uniform else np.stack((np.cumsum(counts) - counts, counts), axis=1).astype(float),
-        tuple(halves(part * 2.0 ** np.arange(len(part))[:, None]) for part in parts),
-        period,
-        advance,
-        -ldexp(cells / bins.width, rod.scale),
+        (
+            cells / bins.width if uniform else 1 / bins.width,
+            None if uniform else np.stack((np.cumsum(counts) - counts, counts), axis=1).astype(float),
+            tuple(halves(part * 2.0 ** np.arange(len(part))[:, None]) for part in parts),
+            period,
+            advance,
+            ldexp(cells / bins.width, rod.scale),
+        )
     )
 
 
-class Spare(NamedTuple):
+class Spare(Record):
     """Room for a block: place within its cell, whole cells, periods, gathered coefficients, rows."""
+
+    __slots__ = ()
 
     within: Any
     whole: Any
@@ -3090,12 +3454,13 @@ def gather(coefficients, row, gathered):
 
 
 def locate(table, within, whole, gathered, row):
-    """From lengths from the tip to the rows, and to places in the cells, between −½ and ½; exact, for cells are powers
-    of two wide."""
+    """From lengths from the clamp to the rows, and to places in the cells, between −½ and ½.
+
+    Exact, for cells are powers of two wide.
+    """
     within *= table.cells
     np.floor(within, out=whole)
     within -= whole
-    whole -= table.start
     np.copyto(row, whole, casting="unsafe")
     if table.per_bin is not None:
         ends = gather(table.per_bin, row, gathered)
@@ -3129,13 +3494,13 @@ def sum_gathered(rows, degree, row, within, gathered, value, slope):
 def fill(rod, table, s, results, spare):
     """The values of a block of points."""
     within, whole, periods, gathered, row = (part[: s.size] for part in spare)
-    np.multiply(s, -ldexp(1.0, rod.scale), out=within)
-    within += rod.length
+    np.multiply(s, ldexp(1.0, rod.scale), out=within)
     if table.period:
         np.multiply(within, 1 / table.period, out=periods)
-        np.rint(periods, out=periods)
+        np.floor(periods, out=periods)
         np.multiply(periods, table.period, out=whole)
         within -= whole
+        np.maximum(within, 0, out=within)
     locate(table, within, whole, gathered, row)
     theta, curvature = results[:2]
     sum_gathered(table.rows[0], ANGLE_DEGREE, row, within, gathered, theta, curvature)
@@ -3152,7 +3517,7 @@ def by_lookup(equilibrium, bins, s, position):
     table = table_of(equilibrium, bins, position)
     results = [np.empty(s.size) for _ in range(4 if position else 2)]
     gathered, row = np.empty((LOOKUP_BLOCK, 4)), np.empty(LOOKUP_BLOCK, dtype=np.intp)
-    spare = Spare(np.empty(LOOKUP_BLOCK), np.empty(LOOKUP_BLOCK), np.empty(LOOKUP_BLOCK), gathered, row)
+    spare = Spare((np.empty(LOOKUP_BLOCK), np.empty(LOOKUP_BLOCK), np.empty(LOOKUP_BLOCK), gathered, row))
     for first in range(0, s.size, LOOKUP_BLOCK):
         block = slice(first, min(first + LOOKUP_BLOCK, s.size))
         fill(equilibrium.rod, table, s[block], [part[block] for part in results], spare)
@@ -3230,8 +3595,10 @@ def common_shape(given):
         raise ValueError(f"the arguments do not broadcast against one another: their shapes are {shapes}") from None
 
 
-class Given(NamedTuple):
+class Given(Record):
     """The parameters of many rods: numbers or arrays."""
+
+    __slots__ = ()
 
     beta: Any
     eta: Any
@@ -3239,11 +3606,13 @@ class Given(NamedTuple):
     clamp_angle: Any
 
 
-class Columns(NamedTuple):
+class Columns(Record):
     """Equilibria, flat: the number of the rod, and what ``Equilibrium`` says of its tip.
 
     rank, place: they put the tips of a rod in order, also those that are nearer than rounding.
     """
+
+    __slots__ = ()
 
     case: Any
     rank: Any
@@ -3260,26 +3629,41 @@ class Columns(NamedTuple):
 def no_columns():
     """No equilibria."""
     whole, none = np.zeros(0, dtype=int), np.zeros(0)
-    return Columns(whole, whole, none, none, none, none, none, none, none, whole)
+    return Columns((whole, whole, none, none, none, none, none, none, none, whole))
 
 
-def each_array(record, change):
-    """The record with ``change`` made to every array in it."""
-    if isinstance(record, np.ndarray):
-        return change(record)
-    if isinstance(record, tuple):
-        parts = [each_array(part, change) for part in record]
-        return type(record)(*parts) if hasattr(record, "_fields") else tuple(parts)
-    return record
+def each_array(record, change, done=None):
+    """The record with ``change`` made to every array in it, once to each: directions stand in it more than once."""
+    done = {} if done is None else done
+    parts = []
+    for part in record:
+        if isinstance(part, (np.ndarray, tuple)):
+            key = id(part)
+            if key not in done:
+                done[key] = change(part) if isinstance(part, np.ndarray) else each_array(part, change, done)
+            part = done[key]
+        parts.append(part)
+    return type(record)(parts) if hasattr(record, "_fields") else tuple(parts)
 
 
 def rows(record, which):
-    """The record of some of the rods, by their numbers, a mask or a slice."""
-    return each_array(record, lambda array: array[which])
+    """The record of some of the rods, by their numbers, a mask or a slice: the record itself for a mask of all."""
+    if isinstance(which, slice):
+        return each_array(record, lambda array: array[which])
+    if which.dtype == bool:
+        size, which = which.size, np.flatnonzero(which)
+        if which.size == size:
+            return record
+    return each_array(record, lambda array: array.take(which))
 
 
-class Rods(NamedTuple):
-    """Rods in their own units of length: see ``equilibria.Rod``. case: their number in the block; slow: ℓ√(β + η)."""
+class Rods(Record):
+    """Rods in their own units of length: see ``equilibria.Rod``. case: their number in the block; slow: ℓ√(β + η).
+
+    shot: whether all their tips are known nearly, by ``block_shots``.
+    """
+
+    __slots__ = ()
 
     case: Any
     side: Any
@@ -3289,6 +3673,200 @@ class Rods(NamedTuple):
     length: Any
     clamp_angle: Any
     slow: Any
+    shot: Any
+
+
+def is_shot(rods):
+    """Which rods are short, and not nearly straight."""
+    lean = rods.clamp_angle - 0.5 * pi
+    couple = rods.beta * each_sin(rods.clamp_angle) + rods.eta / 2 * each_sin(2 * lean)
+    return (rods.slow < SHOT_SLOW) & (np.abs(couple) * rods.length * rods.length > STRAIGHT)
+
+
+class Load(Record):
+    """What acts on rods, in units of their length, and the clamp angle less whole turns.
+
+    reach: how far the tip may be from the clamp.
+    """
+
+    __slots__ = ()
+
+    beta: Any
+    eta: Any
+    double_cosine: Any
+    double_sine: Any
+    clamp_angle: Any
+    reach: Any
+
+
+def load_of(rods):
+    """The load of rods."""
+    square = rods.length * rods.length
+    twice = pi + np.zeros(rods.case.shape)
+    reach = np.minimum((rods.beta + rods.eta / 2) * square / 2, 2 * pi) * (1 + 0.001)
+    return Load((rods.beta * square, rods.eta * square, each_cos(twice), each_sin(twice), rods.clamp_angle, reach))
+
+
+def rounded_to(record, kind):
+    """The record with its arrays in another precision; numbers that all rods share take that of what they meet."""
+    return each_array(record, lambda array: array.astype(kind, copy=False))
+
+
+def wp_of_one(g2, g3):
+    """℘(1): the series at 1/4, or 1/16 in double precision, and the duplication formula."""
+    rough = g2.dtype == np.float32
+    square, doublings = (1 / 16, 2) if rough else (1 / 256, 4)
+    a, b = g2 * (square * square / 20), g3 * (square * square * square / 28)
+    series = a + b + a * a / 3 + a * b * (3 / 11)
+    if not rough:
+        series = series + (2 * a * a * a / 3 + b * b) / 13
+    value = (1 + series) / square
+    for _ in range(doublings):
+        squared = value * value
+        above = squared + g2 / 4
+        value = (above * above + 2 * g3 * value) / (value * (4 * squared - g2) - g3)
+    return value
+
+
+def miss(load, share):
+    """The angle after the rod's length less the clamp angle, for tips at a share of their reach from that."""
+    offset = load.reach * share
+    tip = load.clamp_angle + offset
+    sine, cosine = each_sin(tip), each_cos(tip)
+    twice_sine, twice_cosine = 2 * sine * cosine, 1 - 2 * sine * sine
+    double_sine = twice_sine * load.double_cosine - twice_cosine * load.double_sine
+    double_cosine = twice_cosine * load.double_cosine + twice_sine * load.double_sine
+    along, across, half = load.beta * cosine, load.beta * sine, 0.5 * load.eta * double_sine
+    p, m, q = across + half, across - half, along + load.eta * double_cosine
+    mp, c = m * p, q / 12
+    g2 = q * c - mp / 4
+    g3 = (mp / 4 - q * q / 18) * c - along * p * p / 16
+    value = wp_of_one(g2, g3)
+    return offset + 2 * np.arctan2(p / 4, value - c)
+
+
+def turned_at(shares, values, start):
+    """The extrema among samples that may reach beyond zero between them."""
+    grows = values[1:] > values[:-1]
+    row, which = np.nonzero(grows[1:] != grows[:-1])
+    before, middle, after = (values[row + k, which] for k in range(3))
+    near = np.abs(middle) < np.maximum(np.abs(before - middle), np.abs(after - middle))
+    near &= (np.abs(middle) <= np.abs(before)) & (np.abs(middle) <= np.abs(after))
+    near &= ((middle > 0) == (before > 0)) & ((middle > 0) == (after > 0))
+    row, which = row[near], which[near]
+    return [which + start, shares[row], shares[row + 2], before[near], after[near], np.where(middle[near] > 0, 1, -1)]
+
+
+def sampled_shots(load, slow):
+    """Brackets, extrema that may reach beyond zero, and the rods without values.
+
+    Brackets have the rod, shares of its reach on either side and what is missed there; extrema have the rod, the
+    shares beside, what is missed there, and on which side of zero they are.
+    """
+    rough, none = rounded_to(load, np.float32), np.zeros(0, dtype=int)
+    brackets, turned, lost = [[none, *[np.zeros(0)] * 4]], [[none, *[np.zeros(0)] * 4, none]], [none]
+    for start in range(0, slow.size, SHOTS):
+        here = slice(start, start + SHOTS)
+        steps = int(2 * (load.reach[here] * np.cosh(slow[here])).max() / EVEN)
+        shares = np.linspace(-1, 1, 16 + steps)
+        values = miss(rows(rough, here), shares.astype(np.float32)[:, None])
+        lost.append(np.flatnonzero(~np.isfinite(values.sum(axis=0))) + start)
+        row, which = np.nonzero((values[1:] > 0) != (values[:-1] > 0))
+        brackets.append([which + start, shares[row], shares[row + 1], values[row, which], values[row + 1, which]])
+        turned.append(turned_at(shares, values, start))
+    parts = ([np.concatenate(part) for part in zip(*found, strict=True)] for found in (brackets, turned))
+    return *parts, np.concatenate(lost)
+
+
+def beside_extrema(load, turned):
+    """Brackets beside extrema that reach beyond zero, and the rods of which that is not sure."""
+    which, first, last, before, after, side = turned
+    some, left, right = rows(load, which), first, last
+    column, single = np.arange(which.size), True
+    for _ in range(LOOKS):
+        finer = left + (right - left) * np.linspace(0, 1, FINE)[:, None]
+        value = side * miss(some, finer)
+        single = single & (((value[1:] < 0) != (value[:-1] < 0)).sum(axis=0) <= 2)
+        best = np.clip(value.argmin(axis=0), 1, FINE - 2)
+        left, right = finer[best - 1, column], finer[best + 1, column]
+    middle, least = finer[best, column], value[best, column]
+    margin = 1e-9 * some.reach
+    beyond = single & (least < -margin)
+    hard = ~beyond & (2 * least <= np.maximum(value[best - 1, column], value[best + 1, column]) + margin)
+    one = which, first, middle, before, side * least
+    other = which, middle, last, side * least, after
+    return (
+        [np.concatenate(pair)[np.concatenate([beyond, beyond])] for pair in zip(one, other, strict=True)],
+        which[hard],
+    )
+
+
+def inverse_quadratic(a, b, c, value_a, value_b, value_c):
+    """Where on the way from a to b inverse quadratic interpolation puts the zero, half way where it is unsafe; is it
+    safe."""
+    x, y = (a - b) / (c - b), (value_a - value_b) / (value_c - value_b)
+    share = value_a / (value_b - value_a) * value_c / (value_b - value_c)
+    share = share + (c - a) / (b - a) * value_a / (value_c - value_a) * value_b / (value_c - value_b)
+    safe = (y * y < x) & ((1 - y) * (1 - y) < 1 - x) & (share > 0) & (share < 1)
+    return np.where(safe, share, a.dtype.type(0.5)), safe
+
+
+def approached(function, left, right, value_left, value_right, steps, spread):
+    """Approximate zeros by Chandrupatla's method (1997): places, and the slopes there.
+
+    spread: the distance of two places from which they tell a slope.
+    """
+    a, b, value_a, value_b = left, right, value_left, value_right
+    slope = (value_a - value_b) / (a - b)
+    fraction = np.full(a.shape, 0.5, dtype=a.dtype)
+    secant = value_a / (value_a - value_b)
+    inside = (secant > 0.05) & (secant < 0.95)
+    fraction[inside] = secant[inside]
+    for _ in range(steps):
+        trial = a + fraction * (b - a)
+        value = function(trial)
+        same = (value > 0) == (value_a > 0)
+        c, value_c = np.where(same, a, b), np.where(same, value_a, value_b)
+        b, value_b = np.where(same, b, a), np.where(same, value_b, value_a)
+        a, value_a = trial, value
+        near, value_near = (
+            np.where(np.abs(a - b) < np.abs(a - c), b, c),
+            np.where(np.abs(a - b) < np.abs(a - c), value_b, value_c),
+        )
+        slope = np.where(np.abs(near - a) > spread, (value_near - value_a) / (near - a), slope)
+        fraction, safe = inverse_quadratic(a, b, c, value_a, value_b, value_c)
+    # No half way at last: the latest place may be the zero itself.
+    step = np.minimum(np.maximum(value_a / (slope * (a - b)), 0), 1)
+    return a + np.where(safe, fraction, np.where(value_a == 0, 0, step)) * (b - a), slope
+
+
+class Shots(Record):
+    """Tips, sorted by ``key``: twice the rod's number, and 1 more for a tip above the clamp angle.
+
+    first, number: of those with a key; offset: tip less clamp angle; slope: ∂θ(0)/∂θ(ℓ).
+    """
+
+    __slots__ = ()
+
+    first: Any
+    number: Any
+    offset: Any
+    slope: Any
+
+
+def shots_of(rods, size):
+    """All tips of short rods, and the numbers of the rods of which they are not sure."""
+    load = load_of(rods)
+    crossed, turned, unsure = sampled_shots(load, rods.slow)
+    beside, hard = beside_extrema(load, turned)
+    which, left, right, before, after = (np.concatenate(pair) for pair in zip(crossed, beside, strict=True))
+    some = rows(load, which)
+    share, slope = approached(lambda trial: miss(some, trial), left, right, before, after, AIMS, AIM_SPREAD)
+    key = 2 * rods.case[which] + (share > 0)
+    order = np.argsort(key, kind="stable")
+    number = np.bincount(key, minlength=2 * size)
+    offset, slope = (share * some.reach)[order], (slope / some.reach)[order]
+    return Shots((number.cumsum() - number, number, offset, slope)), np.unique(np.concatenate([unsure, hard]))
 
 
 def both_sides_each(rods):
@@ -3297,8 +3875,27 @@ def both_sides_each(rods):
     side, both = np.repeat(np.array([1, -1]), number), np.concatenate([np.arange(number), np.arange(number)])
     twice = rows(rods, both)
     return Rods(
-        twice.case, side, twice.scale, twice.beta, twice.eta, twice.length, side * twice.clamp_angle, twice.slow
+        (
+            twice.case,
+            side,
+            twice.scale,
+            twice.beta,
+            twice.eta,
+            twice.length,
+            side * twice.clamp_angle,
+            twice.slow,
+            twice.shot,
+        )
     )
+
+
+def with_shots(rods, size):
+    """The rods and their mirror images, marked where all tips are known nearly, and without sides that have none."""
+    shot = is_shot(rods)
+    shots, unsure = shots_of(rows(rods, shot), size)
+    shot &= ~np.isin(rods.case, rods.case[shot][unsure])
+    both = both_sides_each(rods._replace(shot=shot))
+    return rows(both, ~both.shot | (shots.number[2 * both.case + (both.side < 0)] > 0)), shots
 
 
 def chosen(rods, mask):
@@ -3308,12 +3905,14 @@ def chosen(rods, mask):
 
 def along_each(beta, quarters, sign):
     """A direction along or against the force, no field: what it is about the field is not asked."""
-    return Rest(quarters, 0, quarters * (pi / 2), sign * beta, 1, 0)
+    return Rest((quarters, 0, quarters * (pi / 2), sign * beta, 1, 0))
 
 
 def no_field_each(beta):
     """The force alone."""
-    return Landscape((along_each(beta, 0, 1), along_each(beta, 2, -1), along_each(beta, 4, 1)), False, True)
+    return Landscape(
+        ((along_each(beta, 0, 1), along_each(beta, 2, -1), along_each(beta, 4, 1)), False, True, None, 0.0)
+    )
 
 
 def orthogonal_double_each(beta, eta):
@@ -3322,16 +3921,16 @@ def orthogonal_double_each(beta, eta):
     stiffness = (eta - beta) * (eta + beta) / eta
     cosine = 1 - 2 * (beta / eta) * (beta / eta)
     sine = -2 * (beta / eta) * np.sqrt((eta - beta) * (eta + beta)) / eta
-    low = Rest(0, -lean, -lean, stiffness, cosine, -sine)
-    high, again = Rest(0, lean, lean, stiffness, cosine, sine), low._replace(quarters=4, angle=2 * pi - lean)
-    top, bottom = Rest(0, 0, 0, beta - eta, -1, 0), Rest(2, 0, pi, -beta - eta, -1, 0)
-    return Landscape((low, top, high, bottom, again), True, True)
+    low = Rest((0, -lean, -lean, stiffness, cosine, -sine))
+    high, again = Rest((0, lean, lean, stiffness, cosine, sine)), low._replace(quarters=4, angle=2 * pi - lean)
+    top, bottom = Rest((0, 0, 0, beta - eta, -1, 0)), Rest((2, 0, pi, -beta - eta, -1, 0))
+    return Landscape(((low, top, high, bottom, again), True, True, None, 0.0))
 
 
 def orthogonal_single_each(beta, eta):
     """The field across a force that is not weaker: one hill, at 0."""
-    top, again = (Rest(quarters, 0, quarters * (pi / 2), beta - eta, -1, 0) for quarters in (0, 4))
-    return Landscape((top, Rest(2, 0, pi, -beta - eta, -1, 0), again), False, True)
+    top, again = (Rest((quarters, 0, quarters * (pi / 2), beta - eta, -1, 0)) for quarters in (0, 4))
+    return Landscape(((top, Rest((2, 0, pi, -beta - eta, -1, 0)), again), False, True, None, 0.0))
 
 
 def by_landscape(rods):
@@ -3353,8 +3952,8 @@ def by_landscape(rods):
 def offset_from_each(rest, angle, turns):
     """angle − (rest + turns·2π), without cancellation; 0 where no angle within rounding of this tells them apart."""
     offset = each_less_quarters(angle, 4 * turns + rest.quarters) - rest.extra
-    blur = epsilon() * (np.abs(angle) + np.abs(rest.extra))
-    return each_pick((np.abs(offset) <= blur) | (np.abs(offset) < epsilon() ** 9), 0, offset)
+    blur = 2.0**-52 * (np.abs(angle) + np.abs(rest.extra))
+    return each_pick((np.abs(offset) <= blur) | (np.abs(offset) < (2.0**-52) ** 9), 0, offset)
 
 
 def clamp_in_each(rests, angle):
@@ -3366,31 +3965,32 @@ def clamp_in_each(rests, angle):
         if not np.any(shift != 0):
             break
         turns = turns + shift
-    return Clamp(turns, offsets)
+    return Clamp((turns, offsets))
 
 
-class Straight(NamedTuple):
+class Straight(Record):
     """Rods whose clamp angle is a direction without moment."""
+
+    __slots__ = ()
 
     rods: Rods
     rest: Any
 
 
-def numbered(rests):
-    """The directions with a number for the rest of their angle: only whether two are alike is asked from here on."""
-    last = len(rests) - 1
-    return tuple(rest._replace(extra=k % last) for k, rest in enumerate(rests))
-
-
 def level_ground_each(eta, scene, at):
     """The ground without a ridge lower than the hill."""
-    return Ground(eta, scene, at, 0, 0, 0)
+    return Ground((eta, scene, at, 0, 0, 0, True, 0))
 
 
 def ridge_fall_each(beta, eta, hill, ridge):
     """V(hill) − V(ridge): the sine of half their distance times the slope of V between, as if it were a circle."""
     half, middle = (ridge.extra - hill.extra) / 2, pi / 2 + (hill.extra + ridge.extra) / 2
-    return np.cos(half) * (2 * beta * np.sin(middle) - eta * np.sin(half) * np.sin(2 * (middle - 0.5 * pi)))
+    return each_cos(half) * (2 * beta * each_sin(middle) - eta * each_sin(half) * each_sin(2 * (middle - 0.5 * pi)))
+
+
+def turn_to_each(start, end):
+    """The angle from one direction without moment to another, however near they are to each other."""
+    return (end.quarters - start.quarters) * (pi / 2) + (end.extra - start.extra)
 
 
 def fall_from_rest_each(eta, stiffness, double_cosine, double_sine, middle, half):
@@ -3400,10 +4000,10 @@ def fall_from_rest_each(eta, stiffness, double_cosine, double_sine, middle, half
         stiffness,
         double_cosine,
         double_sine,
-        np.sin(middle / 2),
-        np.cos(middle / 2),
-        np.sin(half / 2),
-        np.cos(half / 2),
+        each_sin(middle / 2),
+        each_cos(middle / 2),
+        each_sin(half / 2),
+        each_cos(half / 2),
     )
 
 
@@ -3415,23 +4015,23 @@ def fall_each(eta, rest, start, change):
 
 def pick_rest_each(condition, yes, no):
     """One or the other direction, number by number."""
-    return Rest(*(each_pick(condition, *pair) for pair in zip(yes, no, strict=True)))
+    return Rest(each_pick(condition, *pair) for pair in zip(yes, no, strict=True))
 
 
 def step_to_each(eta, rest, offset, goal):
     """Newton's step to where the square root of the change of V from a direction without moment is ``goal``, and by
     how much its slope changes half way there, as a share of it."""
-    small, large = np.sin(offset / 4), np.cos(offset / 4)
+    small, large = each_sin(offset / 4), each_cos(offset / 4)
     sine, cosine = 2 * small * large, 1 - 2 * small * small
     level = rest_fall_each(eta, rest.stiffness, rest.double_cosine, rest.double_sine, small, large, small, large)
     force = np.abs(rest_moment_each(eta, rest.stiffness, rest.double_cosine, rest.double_sine, sine, cosine))
-    here, force = np.sqrt(np.abs(level)), np.maximum(force, epsilon() ** 20)
+    here, force = np.sqrt(np.abs(level)), np.maximum(force, (2.0**-52) ** 20)
     whole_sine, whole_cosine = 2 * sine * cosine, 1 - 2 * sine * sine
     # dθ″/dθ, by β and α as the direction has them.
     turned = rest.double_cosine * (2 * whole_cosine * whole_cosine - 1 - whole_cosine)
     turned = turned - rest.double_sine * whole_sine * (2 * whole_cosine - 0.5)
     bend = (rest.stiffness * whole_cosine + eta * turned) * (here / force) * (here / force)
-    share = (here - goal) / np.maximum(here, epsilon() ** 20)
+    share = (here - goal) / np.maximum(here, (2.0**-52) ** 20)
     return 2 * here * (here - goal) / force, share * (each_pick(level < 0, -bend, bend) - 0.5)
 
 
@@ -3442,7 +4042,7 @@ def reach_each(eta, rest, amount, most, side):
     nearly linear, from the pendulum's value.
     """
     amount = np.maximum(amount, 0)  # of a hill and a well that nearly meet, rounding may give less
-    share = amount / np.maximum(np.abs(fall_each(eta, rest, 0, side * most)), epsilon() ** 20)
+    share = amount / np.maximum(np.abs(fall_each(eta, rest, 0, side * most)), (2.0**-52) ** 20)
     near = most * np.arcsin(np.sqrt(each_pick(share < 1, share, 1))) * (2 / pi)
     goal = np.sqrt(amount)
     for _ in range(40):
@@ -3461,26 +4061,25 @@ def reach_each(eta, rest, amount, most, side):
 def ridge_ground_each(eta, scene, at, drop):
     """The ground with a lower ridge."""
     rests = scene.rests
-    down, above = rests[1].angle - rests[0].angle, fall_each(eta, rests[2], 0, rests[1].angle - rests[2].angle)
+    down, above = turn_to_each(rests[0], rests[1]), fall_each(eta, rests[2], 0, turn_to_each(rests[2], rests[1]))
     # Of a ridge that is next to its wells V tells at the hill nothing.
     by_hill = drop < above
     rest, amount = pick_rest_each(by_hill, rests[0], rests[1]), each_pick(by_hill, drop, above)
     distance = reach_each(eta, rest, amount, down, each_pick(by_hill, 1, -1))
-    level = each_pick(by_hill, distance, down - distance)
+    level, depth = each_pick(by_hill, distance, down - distance), each_pick(by_hill, down - distance, distance)
     # Near the far hill V says which is higher only by the distance from that hill.
     height = each_pick(at[2] < -at[4], fall_each(eta, rests[2], 0, at[2]), fall_each(eta, rests[4], 0, at[4]) - drop)
-    return Ground(eta, scene, at, drop, level, height)
+    return Ground((eta, scene, at, drop, level, depth, by_hill, height))
 
 
 def ground_of_kind(rods, scene, clamp):
     """The ground of rods with one kind of landscape, and where a ridge is too near the hill's level to be told."""
     rests = scene.rests
-    level = scene._replace(rests=numbered(rests))
     if len(rests) == 3 or scene.level:
-        return level_ground_each(rods.eta, level, clamp.offsets), np.zeros(rods.case.shape, dtype=bool)
+        return level_ground_each(rods.eta, scene, clamp.offsets), np.zeros(rods.case.shape, dtype=bool)
     drop = ridge_fall_each(rods.beta, rods.eta, rests[0], rests[2])
-    low = drop <= epsilon() ** 17 * (rods.beta + rods.eta)
-    return ridge_ground_each(rods.eta, level, clamp.offsets, drop), low
+    low = drop <= (2.0**-52) ** 17 * (rods.beta + rods.eta)
+    return ridge_ground_each(rods.eta, scene, clamp.offsets, drop), low
 
 
 def in_basin_each(at, first, inside, builders):
@@ -3496,8 +4095,9 @@ def piece_of_each(basin, low_kind, high_kind, low_offset, width, high_depth, cla
         closer = np.abs(distance) < np.abs(offset)
         if np.any(closer):
             rest, offset = pick_rest_each(closer, other, rest), each_pick(closer, distance, offset)
-    last = at[len(rests) - 1]
-    return Piece(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last)
+    beyond, last = at[len(rests) - 2 : len(rests)]
+    ends = low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap
+    return Piece((basin, *ends, rest, offset, -last, beyond, at[0], at[1]))
 
 
 def from_hill_to_clamp_each(basin, at):
@@ -3509,8 +4109,10 @@ def basin_of_each(ground, first):
     """The basin between two neighbouring hills."""
     scene = ground.scene
     hill, well, far = scene.rests[first : first + 3]
-    even = scene.even and (scene.level or len(scene.rests) == 3)
-    return Basin(hill, well, far, well, well, ground.drop if first else 0, False, even)
+    whole = len(scene.rests) == 3
+    even = scene.even and (scene.level or whole)
+    rise, beside = ground.drop if first else 0, (scene.shoulder, scene.moment)
+    return Basin((hill, well, far, well, well, rise, False, even, whole, *beside))
 
 
 def first_clamp_each(ground):
@@ -3520,7 +4122,7 @@ def first_clamp_each(ground):
 
 def from_hill_to_turn_each(eta, basin, at):
     """From a hill to where the rod turns back at a clamp beyond the well."""
-    down, depth = basin.well.angle - basin.hill.angle, at[1]
+    down, depth = turn_to_each(basin.hill, basin.well), at[1]
     width = -at[2]
     if not basin.even:
         above = -fall_each(eta, basin.well, 0, at[1])
@@ -3550,7 +4152,7 @@ def last_turn_each(ground):
 def over_ridge_each(ground):
     """What stops a motion that passes the ridge."""
     hill, well, ridge, second, far = ground.scene.rests
-    return Basin(hill, well, far, second, ridge, 0, True, ground.scene.even)
+    return Basin((hill, well, far, second, ridge, 0, True, ground.scene.even, True, None, 0.0))
 
 
 def pass_clamp_each(ground):
@@ -3561,15 +4163,14 @@ def pass_clamp_each(ground):
 
 def pass_level_each(ground):
     """From the highest hill to the level of the ridge."""
-    over, level, at = over_ridge_each(ground), ground.level, ground.at
-    return piece_of_each(
-        over, "hill", "level", 0, level, over.well.angle - over.hill.angle - level, at[0] - level, 0, at
-    )
+    level, depth, at = ground.level, ground.depth, ground.at
+    gap = each_pick(ground.by_hill, at[0] - level, at[1] + depth)
+    return piece_of_each(over_ridge_each(ground), "hill", "level", 0, level, depth, gap, 0, at)
 
 
 def moment_from_rest_each(eta, stiffness, double_cosine, double_sine, offset):
     """θ″ = −V′ at an offset from a direction without moment."""
-    return rest_moment_each(eta, stiffness, double_cosine, double_sine, np.sin(offset / 2), np.cos(offset / 2))
+    return rest_moment_each(eta, stiffness, double_cosine, double_sine, each_sin(offset / 2), each_cos(offset / 2))
 
 
 def slope_each(eta, rest, offset):
@@ -3577,18 +4178,22 @@ def slope_each(eta, rest, offset):
     return moment_from_rest_each(eta, rest.stiffness, rest.double_cosine, rest.double_sine, offset)
 
 
-def onward_each(eta, rest, start, amount, rough, wanted):
-    """How far beyond ``start``, an offset from a direction without moment, V has fallen by ``amount``.
+def onward_each(eta, rest, start, amount, rough, wanted, moment=0):
+    """How far beyond ``start``, an offset from a direction of that moment, V has fallen by ``amount``.
 
     The rough value is good to rounding of the angles; where little of it is left, the slope of V at the start gives a
     better one. Newton's method does the rest, until all that are wanted are found.
     """
-    steep = slope_each(eta, rest, start)
+    steep = slope_each(eta, rest, start) + moment * each_cos(start)
     told = (np.abs(rough) > 0.001 * np.abs(start)) | (steep == 0)
     distance = each_pick(told, rough, amount / each_pick(told, 1, steep))
     for _ in range(40):
-        force = slope_each(eta, rest, start + distance)
-        step = (fall_each(eta, rest, start, distance) - amount) / each_pick(force == 0, 1, force)
+        force = slope_each(eta, rest, start + distance) + moment * each_cos(start + distance)
+        fallen = (
+            fall_each(eta, rest, start, distance)
+            + 2 * moment * each_cos(start + distance / 2) * each_sin(distance / 2)
+        )
+        step = (fallen - amount) / each_pick(force == 0, 1, force)
         away = np.abs(distance - step) > pi
         stuck = away & (distance == rough)
         distance = each_pick(away, rough, distance - step)
@@ -3600,12 +4205,23 @@ def onward_each(eta, rest, start, amount, rough, wanted):
 def pass_turn_each(ground):
     """From the highest hill to where the rod turns back at a clamp above the level of the ridge, beyond it."""
     eta, over, level, at = ground.eta, over_ridge_each(ground), ground.level, ground.at
-    down = over.well.angle - over.hill.angle
-    width = -at[4] if over.even else reach_each(eta, over.hill, fall_each(eta, over.far, 0, at[4]), down, 1)
+    down, below = turn_to_each(over.hill, over.well), fall_each(eta, over.far, 0, at[4])
+    # V of the clamp above the first well: above the ridge, and the ridge above the well.
+    above = fall_each(eta, over.axis, 0, turn_to_each(over.axis, over.well)) - ground.height
+    by_hill = below < above
+    rest, amount = pick_rest_each(by_hill, over.hill, over.well), each_pick(by_hill, below, above)
+    distance = reach_each(eta, rest, amount, down, each_pick(by_hill, 1, -1))
+    width, depth = each_pick(by_hill, distance, down - distance), each_pick(by_hill, down - distance, distance)
+    if over.even:
+        width = -at[4]
     # Towards the hill V is flat and tells little, but there the angles tell all.
-    near = width >= level / 2
-    gap = each_pick(near, -onward_each(eta, over.hill, level, ground.height, width - level, near), level - width)
-    return piece_of_each(over, "hill", "turn", 0, width, down - width, at[0] - width, gap, at)
+    near, apart = width >= level / 2, each_pick(by_hill, level - width, depth - ground.depth)
+    start = each_pick(ground.by_hill, level, -ground.depth)
+    rest = pick_rest_each(ground.by_hill, over.hill, over.well)
+    gap = each_pick(near, -onward_each(eta, rest, start, ground.height, -apart, near), apart)
+    return piece_of_each(
+        over, "hill", "turn", 0, width, depth, each_pick(by_hill, at[0] - width, at[1] + depth), gap, at
+    )
 
 
 def level_clamp_each(ground):
@@ -3617,7 +4233,7 @@ def level_clamp_each(ground):
 def level_turn_each(ground):
     """From the level of the ridge to where the rod turns back at the clamp, before the ridge."""
     eta, basin, level, at = ground.eta, basin_of_each(ground, 0), ground.level, ground.at
-    down = basin.well.angle - basin.hill.angle
+    down = turn_to_each(basin.hill, basin.well)
     above, below = -fall_each(eta, basin.well, 0, at[1]), fall_each(eta, basin.far, 0, at[2])
     from_well = reach_each(eta, basin.well, above, down, -1)
     # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
@@ -3646,11 +4262,13 @@ def ranges_each(ground):
     ]
 
 
-class Group(NamedTuple):
+class Group(Record):
     """Ranges of one kind, one a rod. turns: whole turns of the clamp; rank: among the rod's ranges, from low to high.
 
     dip: the place around which a ridge that is not quite there slows the motion down, or None for all of them.
     """
+
+    __slots__ = ()
 
     rods: Rods
     turns: Any
@@ -3665,43 +4283,48 @@ def astroid_cusp_each(field_angle):
     The pair lies at α + π + x with sin α/sin x + cos α/cos x = η/β: it is there when η/β is beyond the least value of
     the left side, taken at this x.
     """
-    return np.arctan((np.sin(field_angle) / np.maximum(np.cos(field_angle), epsilon())) ** (1 / 3))
+    return np.arctan((each_sin(field_angle) / np.maximum(each_cos(field_angle), 2.0**-52)) ** (1 / 3))
 
 
 def twist_each(eta, x):
     """The couple of the field on a rod turned by x from it."""
-    return eta * np.sin(x) * np.cos(x)
+    return eta * each_sin(x) * each_cos(x)
 
 
 def ridge_couple_each(beta, eta, field_angle, x):
     """The couple on a rod that points along α + π + x."""
-    return twist_each(eta, x) - beta * np.sin(field_angle + x)
+    return twist_each(eta, x) - beta * each_sin(field_angle + x)
 
 
 def nearly_ridge(rods, piece):
     """How far η is below the value at which a ridge would appear, and the place at which the motion would meet it:
     see ``search.places``. No number where that is not on the range."""
     basin = piece.basin
-    if basin.even or basin.passes or piece.low_kind == "level" or basin.far.quarters - basin.hill.quarters != 4:
+    if basin.even or basin.passes or piece.low_kind == "level" or not basin.whole:
         return np.full(rods.case.shape, np.inf), rods.slow
     beta, eta, angle = rods.beta, rods.eta, np.abs(0.5 * pi)
     side = astroid_cusp_each(angle)
     missing = -ridge_couple_each(beta, eta, angle, side) / (beta + eta)
     cusp = angle + pi + side
-    down = basin.well.angle - basin.hill.angle
+    down = turn_to_each(basin.hill, basin.well)
     rise = reach_each(eta, basin.hill, fall_each(eta, basin.hill, 0, cusp - basin.hill.angle), down, 1)
     inside = (rise > 0) & (rise < piece.width)
     return np.where(inside, missing, np.inf), np.log(rise / (piece.width - rise))
 
 
-def by_dips(group):
-    """The ranges without and with a dip, and the cases left to the scalar solver, for their dip is too sharp."""
+def by_dips(group, wanted):
+    """The ranges that are wanted, without and with a dip, and the cases left to the scalar solver, for their dip is
+    too sharp."""
+    shot = group.rods.shot
+    if shot.all():
+        return [group], np.zeros(0, dtype=int)
     missing, dip = nearly_ridge(group.rods, group.piece)
-    plain, wide = missing > NEARLY, (missing <= NEARLY) & (missing >= SHARP)
+    missing = np.where(shot, np.inf, missing)
+    plain, wide = wanted & (missing > NEARLY), wanted & (missing <= NEARLY) & (missing >= SHARP)
     parts = [rows(group, plain)] if plain.any() else []
     if wide.any():
         parts.append(rows(group._replace(dip=dip), wide))
-    return parts, group.rods.case[~plain & ~wide]
+    return parts, group.rods.case[wanted & ~plain & ~wide]
 
 
 def least_arrival_each(rods, piece, offset):
@@ -3713,11 +4336,11 @@ def least_arrival_each(rods, piece, offset):
     steep, most = rods.beta + rods.eta, rods.beta + rods.eta / 2
     clamp = piece.low_offset + piece.width + piece.clamp_gap
     bend = np.minimum(clamp, most / steep)
-    ratio = np.maximum(bend / np.maximum(offset, epsilon() ** 20), 1)
+    ratio = np.maximum(bend / np.maximum(offset, SMALLEST), 1)
     arrival = np.arccosh(ratio) / np.sqrt(steep)
     speed = np.sqrt(steep * (ratio - 1) * (ratio + 1)) * offset
     rest = np.maximum(clamp - np.maximum(offset, bend), 0)
-    return arrival + 2 * rest / (speed + np.sqrt(speed * speed + 2 * most * rest) + epsilon() ** 20)
+    return arrival + 2 * rest / (speed + np.sqrt(speed * speed + 2 * most * rest) + SMALLEST)
 
 
 def in_time(rods, piece):
@@ -3733,68 +4356,25 @@ def groups(rods):
         for rest, offset in zip(scene.rests, clamp.offsets, strict=True):
             flat = np.flatnonzero((offset == 0) & (some.side > 0))
             if flat.size:
-                straight.append(Straight(rows(some, flat), rows(rest, flat)))
+                straight.append(Straight((rows(some, flat), rows(rest, flat))))
         ground, low = ground_of_kind(some, scene, clamp)
         doubtful.append(some.case[low])
         for rank, (here, build) in enumerate(ranges_each(ground)):
             which = np.flatnonzero(here & ~low)
             if which.size:
                 given, piece = rows(some, which), build(rows(ground, which))
-                group = Group(given, clamp.turns[which], np.full(which.shape, rank), piece, None)
-                parts, sharp = by_dips(rows(group, in_time(given, piece)))
+                group = Group((given, clamp.turns[which], np.full(which.shape, rank), piece, None))
+                parts, sharp = by_dips(group, given.shot | in_time(given, piece))
                 found += parts
                 doubtful.append(sharp)
     return found, straight, np.concatenate(doubtful)
 
 
-def ends(rods, piece):
-    """The places of the deepest samples: see ``places.grid``."""
-    rounding = -np.log(epsilon())
-    first = np.minimum(-2 * rods.slow - 6, -rounding) if piece.low_kind == "level" else -rods.slow - 6
-    late = first
-    for k in range(1, HALVINGS + 1):
-        trial = late - first * 0.5**k
-        offset = piece.low_offset + piece.width / (1 + np.exp(-trial))
-        late = np.where(least_arrival_each(rods, piece, offset) > (1 + SURELY) * rods.length, trial, late)
-    if piece.high_kind == "level":
-        last = 2 * rods.slow + rounding
-    elif piece.high_kind == "turn":
-        last = LATEST + 0 * rods.slow
-    else:
-        moment = np.abs(slope_each(rods.eta, piece.clamp_rest, piece.clamp_offset)) + epsilon() ** 20
-        deeper = 4 + np.log(2 * piece.width) - np.log(moment) - 2 * np.log(rods.length)
-        last = np.where(piece.high_depth == 0, rounding, np.maximum(LATEST, deeper))
-    return late, last
-
-
-def rounded_to(record, kind):
-    """The record with its numbers in another precision, those that all rods share as well."""
-    if isinstance(record, np.ndarray):
-        return record.astype(kind)
-    if isinstance(record, float):
-        return kind(record)
-    if isinstance(record, tuple):
-        parts = [rounded_to(part, kind) for part in record]
-        return type(record)(*parts) if hasattr(record, "_fields") else tuple(parts)
-    return record
-
-
-def spaced(deepest, step):
-    """Places from 0 to the deepest one, as shares of it."""
-    places, growth = [0.0], 1 + step / 3
-    while places[-1] < deepest:
-        places.append(places[-1] + step)
-        step *= growth
-    return np.array([*places[:-1], deepest]) / max(deepest, 1e-30)
-
-
-def places_of(dip, here, first, last, step):
-    """The places of samples, a column for each range: from the lowest up, and closer around dips."""
-    below, above = spaced(-first.min(), step), spaced(last.max(), step)
-    places = np.concatenate([first * below[:0:-1, None], last * above[:, None]])
-    if dip is None:
-        return places
-    return np.sort(np.concatenate([places, np.clip(dip[here] + AROUND[:, None], first, last)]), axis=0)
+def level_drop(rods, offset):
+    """V(tip) − V(clamp) by the tip's offset from the clamp angle."""
+    middle, half = each_sin(rods.clamp_angle + offset / 2), each_sin(offset / 2)
+    lean = rods.clamp_angle - 0.5 * pi + offset / 2
+    return -2 * half * (rods.beta * middle + rods.eta * each_cos(offset / 2) * each_sin(lean) * each_cos(lean))
 
 
 def reach_either_each(eta, hill, well, by_hill, amount, most):
@@ -3807,106 +4387,134 @@ def reach_either_each(eta, hill, well, by_hill, amount, most):
     return reach_each(eta, rest, amount, most, each_pick(by_hill, -1, 1))
 
 
-def beyond_clamp_each(eta, piece, drop, rough):
-    """How far the motion goes beyond the clamp, when the tip is ``drop`` below the one that turns there.
-
-    V falls by the same amount on both sides. The rough value is as good as its difference to the clamp's distance
-    from a hill or a well allows.
-    """
-    basin, rest, start = piece.basin, piece.clamp_rest, piece.clamp_offset
-    high = -piece.high_depth
-    amount = fall_each(eta, basin.well, high - drop, drop)
-    far = rough > 0.25 * np.abs(start)
-    better = onward_each(eta, rest, start, -amount, rough, far == 0)
-    # Newton's method leaves a place where V is nearly level for one far away.
-    return each_pick(far | (np.abs(better - rough) > 0.01), rough, better)
-
-
-def far_side_each(eta, piece, rise, drop, depth, done):
-    """Half the width of the motion, how far it goes on beyond the clamp, and the moment where it turns."""
-    basin = piece.basin
-    hill, well, far, far_well = basin.hill, basin.well, basin.far, basin.far_well
-    down = far.angle - far_well.angle
-    if piece.low_kind == "level":
-        below = fall_each(eta, hill, piece.low_offset, rise)
-    else:
-        below = basin.far_rise + fall_each(eta, hill, 0, rise)
-    if basin.passes:
-        # Not below the ridge, however near it is to the well behind it.
-        ridge = fall_each(eta, basin.axis, 0, far_well.angle - basin.axis.angle)
-        above = np.maximum(-fall_each(eta, far_well, 0, down) - below, ridge)
-    else:
-        above = -fall_each(eta, well, 0, -depth)
-    by_hill = below < above
-    distance = reach_either_each(eta, far, far_well, by_hill, each_pick(by_hill, below, above), down)
-    turn = each_pick(by_hill, down - distance, distance)  # far turning point − far_well
-    # clamp − far_well
-    clamp_turn = down - piece.far_gap if basin.passes else piece.clamp_gap - piece.high_depth
-    left = each_pick(by_hill, piece.far_gap - distance, distance - clamp_turn)
-    if basin.passes:
-        half_width = (turn + depth + (far_well.angle - well.angle)) / 2
-    else:
-        half_width = (turn + depth) / 2
-    far_moment = each_pick(by_hill, slope_each(eta, far, -distance), slope_each(eta, far_well, distance)) * -1
-    far_moment = np.maximum(far_moment, 4 * epsilon() * distance)
-    if piece.high_kind == "turn":
-        left = np.maximum(beyond_clamp_each(eta, piece, drop, left), 0)
-    return half_width, left, far_moment, each_pick(by_hill, distance, down - distance)
-
-
-def unevenness_each(eta, middle, sine, near, far):
-    """√far − √near: by the roots where they are apart, else by far − near = 2η sin 2(middle − α) sin(half_width)."""
-    by_turns = 2 * eta * np.sin(2 * (middle - 0.5 * pi)) * sine / (np.sqrt(near) + np.sqrt(far))
-    apart = (8 * near < far) | (8 * far < near) | (near + far < 2 * eta * sine)
-    return each_pick(apart, np.sqrt(far) - np.sqrt(near), by_turns)
-
-
 def wrapped_each(angle):
     """The angle less whole turns, between −π and π."""
     return angle - 2 * pi * np.floor(angle / (2 * pi) + 0.5)
 
 
-def above_field_each(eta, basin, middle, half_width, height):
+def beyond_clamp_each(eta, piece, rise, drop, rough):
+    """How far the motion goes beyond the clamp, when the tip is ``drop`` below the one that turns there.
+
+    V falls by the same amount on both sides. The rough value is as good as its difference to the clamp's distance
+    from a hill or a well allows.
+    """
+    basin, rest, start, moment = piece.basin, piece.clamp_rest, piece.clamp_offset, 0
+    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
+    upper = from_hill < depth
+    amount = fall_each(eta, pick_rest_each(upper, basin.hill, basin.well), each_pick(upper, from_hill, -depth), drop)
+    far = rough > 0.25 * np.abs(start)
+    if basin.shoulder is not None:
+        apart = wrapped_each(rest.angle + start - basin.shoulder.angle)
+        near = 2 * np.abs(apart) < np.abs(start)
+        rest, start = pick_rest_each(near, basin.shoulder, rest), each_pick(near, apart, start)
+        moment, far = each_pick(near, basin.moment, 0), each_pick(near, rough > 0.25, far)
+    better = onward_each(eta, rest, start, -amount, rough, far == 0, moment)
+    # Newton's method leaves a place where V is nearly level for one far away.
+    return each_pick(far | (np.abs(better - rough) > 0.01), rough, better)
+
+
+def beside_shoulder_each(eta, basin, angle, offset, moment):
+    """θ″ at an angle, by the shoulder of V if that is nearer than the direction by whose offset it was told."""
+    if basin.shoulder is None:
+        return moment
+    apart = wrapped_each(angle - basin.shoulder.angle)
+    told = basin.moment * each_cos(apart) + slope_each(eta, basin.shoulder, apart)
+    return each_pick(2 * np.abs(apart) < np.abs(offset), told, moment)
+
+
+def least_moment_each(basin):
+    """What rounding leaves at least of a moment, by the distance from the direction that tells it: where a hill and a
+    well all but meet, and are not among the directions that are told, it would leave nothing, or less."""
+    return (2.0**-52) ** 2 if basin.passes or not basin.whole else 4 * 2.0**-52
+
+
+def far_side_each(eta, piece, rise, drop, depth, done, height):
+    """Half the width of the motion, how far it goes on beyond the clamp, and the moment where it turns."""
+    basin = piece.basin
+    hill, well, far, far_well = basin.hill, basin.well, basin.far, basin.far_well
+    down = turn_to_each(far_well, far)
+    if piece.low_kind == "level":
+        below = fall_each(eta, hill, piece.low_offset, rise)
+    else:
+        below = basin.far_rise + fall_each(eta, hill, 0, rise)
+    if basin.passes:
+        # Above the ridge by its height, and the ridge above the well behind it.
+        above = height + fall_each(eta, basin.axis, 0, turn_to_each(basin.axis, far_well))
+    else:
+        above = -fall_each(eta, well, 0, -depth)
+    by_hill = below < above
+    distance = reach_either_each(eta, far, far_well, by_hill, each_pick(by_hill, below, above), down)
+    turn = each_pick(by_hill, down - distance, distance)  # far turning point − far_well
+    left = each_pick(by_hill, piece.far_gap - distance, distance - piece.beyond_well)
+    if piece.high_kind == "turn":
+        left = np.maximum(beyond_clamp_each(eta, piece, rise, drop, left), 0)
+    if basin.shoulder is not None:
+        # V may be so nearly level there that only from the clamp is it told where the motion turns.
+        turn, half_width = piece.beyond_well + left, (done + left) / 2
+    elif basin.passes:
+        half_width = (turn + depth + turn_to_each(well, far_well)) / 2
+    else:
+        half_width = (turn + depth) / 2
+    far_moment = each_pick(by_hill, slope_each(eta, far, -distance), slope_each(eta, far_well, distance)) * -1
+    far_moment = -beside_shoulder_each(eta, basin, far_well.angle + turn, distance, -far_moment)
+    far_moment = np.maximum(far_moment, least_moment_each(basin) * distance)
+    return half_width, left, far_moment, each_pick(by_hill, distance, down - distance)
+
+
+def unevenness_each(eta, middle, sine, near, far):
+    """√far − √near: by the roots where they are apart, else by far − near = 2η sin 2(middle − α) sin(half_width)."""
+    by_turns = 2 * eta * each_sin(2 * (middle - 0.5 * pi)) * sine / (np.sqrt(near) + np.sqrt(far))
+    apart = (8 * near < far) | (8 * far < near) | (near + far < 2 * eta * sine)
+    return each_pick(apart, np.sqrt(far) - np.sqrt(near), by_turns)
+
+
+def above_field_each(eta, basin, offset, turn, height):
     """``mean`` less η where they are near each other: 2(V(tip) − V)/(cos(θ − middle) − cos(half_width)) at the θ at
-    which it is least, which lies then near the ridge or the well. height: from there to the tip."""
-    shift = wrapped_each(2 * (0.5 * pi - middle))
-    offset = wrapped_each(middle + shift - basin.axis.angle)
+    which it is least, which lies then near the ridge or the well, at an offset from it.
+
+    turn: half of what it is divided by. height: V(tip) less that of the ridge or the well.
+    """
     # As near the ridge as rounding it is nearer still: it is there to the second order in the height.
     offset = each_pick(np.abs(offset) < 32 * each_spacing(offset), 0, offset)
-    outer, inner = np.sin(half_width / 2), np.sin(shift / 2)
-    turn = outer * outer - inner * inner
     return (height + fall_each(eta, basin.axis, 0, offset)) / each_pick(turn == 0, 1, turn)
 
 
-def mean_less_field_each(eta, basin, middle, half_width, double, near, far, height, mean):
+def mean_less_field_each(eta, basin, centre, half_width, near, far, height, mean):
     """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
     level."""
     apart = mean - eta
     close = apart <= 0.1 * eta
     if np.any(close):
-        ahead, behind = np.sin(half_width / 2 + double / 2), np.sin(half_width / 2 - double / 2)
+        # 2(axis − α), and 2(middle − α).
+        axis = np.arctan2(basin.axis.double_sine, basin.axis.double_cosine)
+        double = wrapped_each(axis + 2 * centre)
+        ahead, behind = each_sin((half_width + double) / 2), each_sin((half_width - double) / 2)
         by_far, by_near = far - 2 * eta * ahead * ahead, near - 2 * eta * behind * behind
         known = each_pick(2 * by_far > far, by_far, by_near)
         far_off = close & (2 * by_far <= far) & (2 * by_near <= near)
         if np.any(far_off):
-            known = each_pick(far_off, above_field_each(eta, basin, middle, half_width, height), known)
+            # Not from a well that is far from where V is nearly level: there V tells least.
+            told, turn = each_pick(near < far, by_near, by_far), ahead * behind
+            there = above_field_each(eta, basin, wrapped_each(-axis - centre), turn, height)
+            known = each_pick(
+                far_off, each_pick(height <= np.abs(turn) * eta * (np.abs(ahead) + np.abs(behind)), there, told), known
+            )
         apart = each_pick(close, known, apart)
     # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.
-    least = np.maximum(height, epsilon() ** 19) if basin.passes else epsilon() * each_pick(near < far, near, far) / 4
+    least = np.maximum(height, (2.0**-52) ** 19) if basin.passes else 2.0**-52 * each_pick(near < far, near, far) / 4
     return np.maximum(apart, least)
 
 
-def rates_each(beta, eta, basin, tip, half_width, sine, near, far, height):
-    """dχ/dσ at the ends and in the middle of the motion."""
-    middle, cosine = tip + half_width, np.cos(half_width)
-    double = 2 * (middle - 0.5 * pi)
-    cos_middle, cos_double = np.cos(middle), np.cos(double)
+def rates_each(beta, eta, basin, centre, half_width, sine, near, far, height):
+    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle."""
+    middle, cosine = basin.axis.angle + centre, each_cos(half_width)
+    cos_middle, cos_double = each_cos(middle), each_cos(2 * (middle - 0.5 * pi))
     product = np.sqrt(near) * np.sqrt(far)
     excess = -(2 * beta * cos_middle * cosine + eta * cos_double * (1 + cosine * cosine))
     split, rate = excess < 0, np.sqrt(product + np.maximum(excess, 0))
     if np.any(split):
         mean = -(2 * beta * cos_middle + eta * cosine * cos_double)
-        apart = mean_less_field_each(eta, basin, middle, half_width, double, near, far, height, mean)
+        apart = mean_less_field_each(eta, basin, centre, half_width, near, far, height, mean)
         rate = each_pick(split, sine * np.sqrt(apart * (mean + eta) / each_pick(split, product - excess, 1)), rate)
     return np.sqrt(product / 2), rate / 2
 
@@ -3927,42 +4535,46 @@ def motion_at_each(beta, eta, piece: Piece, place):
     # How far V falls from the tip to the well, or to the level of a ridge that the motion passes.
     change = (drop + piece.level_gap if basin.passes else depth) / 2
     height = fall_from_rest_each(eta, stiffness, double_cosine, double_sine, offset + change, change)
-    done = piece.clamp_gap + drop
+    # Near the high end the clamp is told from there, else as the tip is: the clamp's own distances are exact.
+    done, apart = piece.clamp_gap + drop, each_pick(upper, piece.past_hill - from_hill, piece.past_well + depth)
+    done = each_pick(done < 0.5 * each_pick(upper, from_hill, np.abs(piece.past_well)), done, apart)
     if basin.even:
-        half_width = depth + (basin.axis.angle - well.angle)
+        half_width = depth + turn_to_each(well, basin.axis)
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
         far_moment, far_distance = near_moment, from_hill
     else:
-        half_width, left, far_moment, far_distance = far_side_each(eta, piece, rise, drop, depth, done)
-        # Where a hill and a well nearly meet, rounding leaves nothing, or less, of a moment.
-        near_moment = np.maximum(near_moment, 4 * epsilon() * np.abs(offset))
+        half_width, left, far_moment, far_distance = far_side_each(eta, piece, rise, drop, depth, done, height)
+        near_moment = beside_shoulder_each(eta, basin, tip, offset, near_moment)
+        near_moment = np.maximum(near_moment, least_moment_each(basin) * np.abs(offset))
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
-    whole_turn = basin.far.quarters - hill.quarters == 4 and basin.far.extra == hill.extra
-    lack = (from_hill + far_distance) / 2 if whole_turn else pi - half_width
-    sine = np.sin(each_pick(lack < half_width, lack, half_width))
+    lack = (from_hill + far_distance) / 2 if basin.whole else pi - half_width
+    sine = each_sin(each_pick(lack < half_width, lack, half_width))
     near, far = 2 * near_moment / sine, 2 * far_moment / sine
     uneven = 0 if basin.even else unevenness_each(eta, tip + half_width, sine, near, far)
     # done/2 + left/2 = half_width: near half a turn one follows from the other.
-    done_sine = np.sin(each_pick(done > pi, lack + left / 2, done / 2))
-    left_sine = np.sin(each_pick(left > pi, lack + done / 2, left / 2))
-    half_cosine = np.sin(lack / 2)
-    end, middle = rates_each(beta, eta, basin, tip, half_width, sine, near, far, height)
+    done_sine = each_sin(each_pick(done > pi, lack + left / 2, done / 2))
+    left_sine = each_sin(each_pick(left > pi, lack + done / 2, left / 2))
+    half_cosine = each_sin(lack / 2)
+    centre = half_width - depth - turn_to_each(well, basin.axis)
+    end, middle = rates_each(beta, eta, basin, centre, half_width, sine, near, far, height)
     return Motion(
-        tip,
-        half_width,
-        done,
-        left,
-        near_moment,
-        far_moment,
-        near,
-        far,
-        end,
-        middle,
-        sine,
-        half_cosine,
-        uneven,
-        done_sine,
-        left_sine,
+        (
+            tip,
+            half_width,
+            done,
+            left,
+            near_moment,
+            far_moment,
+            near,
+            far,
+            end,
+            middle,
+            sine,
+            half_cosine,
+            uneven,
+            done_sine,
+            left_sine,
+        )
     )
 
 
@@ -3971,19 +4583,19 @@ def phase_of_each(motion):
     near, far, end = np.sqrt(motion.near), np.sqrt(motion.far), motion.end
     done, left = motion.done_sine, motion.left_sine
     whole = phase_sum_each(near, far, done, left)
-    gap = np.sin((motion.left - motion.done) / 4)
+    gap = each_sin((motion.left - motion.done) / 4)
     behind, ahead = far * done / whole, near * left / whole
     lead = phase_lead_each(near, motion.half_cosine, motion.uneven, done, gap) / whole
     cosine = each_pick(np.abs(ahead - behind) > 0.8, ahead - behind, lead)
     # Not zero: at the tip itself the motion has no point by ℘.
-    square = np.maximum(chi_square_each(behind, ahead), epsilon() ** 19)
+    square = np.maximum(chi_square_each(behind, ahead), (2.0**-52) ** 19)
     size, first = np.abs(cosine), cosine >= 0
-    delta = np.hypot(end * cosine, motion.middle * np.sqrt(square))
+    delta = each_hypot(end * cosine, motion.middle * np.sqrt(square))
     half = each_pick(first, half_square_each(end, square, size, delta), half_square_beyond_each(end, size, delta))
     rest = each_pick(
         first, half_rest_each(end, size, delta), half_rest_beyond_each(end, motion.middle, square, size, delta)
     )
-    return Phase(half, rest, whole, delta)
+    return Phase((half, rest, whole, delta))
 
 
 def rough_times(rods, piece, place):
@@ -4004,16 +4616,22 @@ def rough_times(rods, piece, place):
     return pi / 2 / mean, np.arctan2(np.sqrt(square), np.sqrt(rest)) / mean
 
 
-def end_arrival(piece, swing):
-    """The first arrival at the high end itself, where it is known: at once, or after the whole half-swing."""
-    if piece.high_kind == "clamp":
-        return np.where((piece.clamp_gap == 0) & (piece.high_depth > 0), 0 * swing, np.nan)
-    return swing if piece.high_kind == "turn" else None
+def turned_back(group, row, place):
+    """Whether the motions meet the clamp on their way back, on rods that are as long as half-swings may be."""
+    long = np.flatnonzero(group.rods.slow[row] >= pi)
+    back = np.zeros(row.shape, dtype=bool)
+    if long.size:
+        some = rows(group, row[long])
+        swing, arrival = rough_times(some.rods, some.piece, place[long])
+        back[long] = np.abs(2 * swing - arrival - some.rods.length) < np.abs(arrival - some.rods.length)
+    return back
 
 
-class Brackets(NamedTuple):
+class Brackets(Record):
     """Crossings to be found: the range, by its number in the group, the branch, places on either side, and there the
-    length of the branch less the rod's."""
+    length of the branch less the rod's. All are of one precision but the first three."""
+
+    __slots__ = ()
 
     range: Any
     turns: Any
@@ -4024,141 +4642,41 @@ class Brackets(NamedTuple):
     value_right: Any
 
 
+def aimed(group, shots):
+    """The tips on the ranges of a group: their ranges and branches as brackets, their places, and slopes there."""
+    rods, piece = group.rods, group.piece
+    key = 2 * rods.case + (rods.side < 0)
+    number = shots.number[key]
+    row = np.repeat(np.arange(key.size), number)
+    tip = np.repeat(shots.first[key] - number.cumsum() + number, number) + np.arange(row.size)
+    drop = -rods.side[row] * shots.offset[tip] - (piece.clamp_gap + 0 * rods.slow)[row]
+    width = piece.width[row]
+    inside = np.flatnonzero((drop > 0) & (drop < width))
+    row, drop, width, tip = row[inside], drop[inside], width[inside], tip[inside]
+    place, some = np.log((width - drop) / drop), rows(rods, row)
+    speed = np.sqrt(2 * level_drop(some, some.side * shots.offset[tip]))
+    slope = -shots.slope[tip] / speed * (width - drop) * drop / width
+    back = turned_back(group, row, place)
+    slope, sign = np.where(back, -slope, slope), np.where(back, -1, 1)
+    return Brackets((row, back.astype(float), sign, place - 0.5, place + 0.5, -slope, slope)), place, slope
+
+
 def surplus(swing, arrival, turns, sign, length):
     """The length of a branch less the rod's."""
     return 2 * turns * swing + sign * arrival - length
 
 
-def joined(records):
-    """Records of arrays, one after another; what all rods share is taken from the first."""
-    first = records[0]
-    if isinstance(first, np.ndarray):
-        return np.concatenate(records)
-    if isinstance(first, tuple):
-        parts = [joined(list(column)) for column in zip(*records, strict=True)]
-        return type(first)(*parts) if hasattr(first, "_fields") else tuple(parts)
-    return first
+def roughly_at(group, brackets, kind):
+    """Rough crossings of a group with a row for each: places, and the slope of the branch there."""
+    turns, sign, some = brackets.turns.astype(kind), brackets.sign.astype(kind), rounded_to(group, kind)
 
+    def value(trial):
+        swing, arrival = rough_times(some.rods, some.piece, trial)
+        return surplus(swing, arrival, turns, sign, some.rods.length)
 
-def extrema(group, sign, places, swings, arrivals, counts):
-    """Brackets beside the extrema that reach beyond a whole number, and the ranges where that is not sure."""
-    before, here, after = counts[:-2], counts[1:-1], counts[2:]
-    top = here > before
-    gaps = np.maximum(places[1:] - places[:-1], 1e-30)
-    share = gaps[1:] / gaps[:-1]
-    reach = np.maximum(np.abs(before - here) * share, np.abs(after - here) / share)
-    goal = np.where(top, np.ceil(here), np.floor(here))
-    near = np.where(top, goal - here, here - goal)
-    row, which = np.nonzero(((before - here) * (after - here) > 0) & (near <= reach) & (goal >= 0))
-    goal, top = goal[row, which], top[row, which]
-    left, right = places[row, which], places[row + 2, which]
-    if not row.size:
-        return Brackets(which, goal, np.full(which.shape, sign), left, right, left, right), which
-    some = rows(group, which)
-    length = some.rods.length
-    finer = left + (right - left) * np.linspace(0, 1, 17).astype(left.dtype)[:, None]
-    swings, arrivals = rough_times(some.rods, some.piece, finer)
-    short = np.where(top, 1, -1) * (goal - (length - sign * arrivals) / (2 * swings))
-    # Sure: well beyond, once; or so far from it that a curve that bends one way does not reach it.
-    best = short.argmin(axis=0)
-    column = np.arange(which.size)
-    inner = np.clip(best, 1, 15)
-    least, beside = short[best, column], np.maximum(short[inner - 1, column], short[inner + 1, column])
-    margin = (0.0001 if left.dtype == np.float32 else 1e-09) * (1 + goal)
-    changes = ((short[1:] < 0) != (short[:-1] < 0)).sum(axis=0)
-    beyond = (least < -margin) & (changes == 2) & (best == inner)
-    hard = ~beyond & (2 * least <= beside + margin)
-    sure = np.flatnonzero(beyond)
-    value = surplus(swings[:, sure], arrivals[:, sure], goal[sure], sign, length[sure])
-    middle, column = finer[best[sure], sure], np.arange(sure.size)
-    center = value[best[sure], column]
-    found = Brackets(which[sure], goal[sure], np.full(sure.shape, sign), left[sure], middle, value[0], center)
-    other = found._replace(left=middle, right=right[sure], value_left=center, value_right=value[-1])
-    return joined([found, other]), which[hard]
-
-
-def crossed(group, sign, places, swings, arrivals, capped, most):
-    """Brackets of the whole numbers that the count of one branch crosses, and the ranges that are doubtful."""
-    length, end = group.rods.length, end_arrival(group.piece, swings[-1])
-    counts = (length - sign * arrivals) / (2 * swings)
-    doubt = ~np.isfinite(counts).all(axis=0) | capped[0] & (counts[0] >= 1)
-    beside, hard = extrema(group, sign, places, swings, arrivals, counts)
-    if end is None:
-        doubt |= capped[1] & (counts[-1] >= 1)
-    else:
-        # What lies deeper than the samples, towards the end itself.
-        beyond = (length - sign * end) / (2 * swings[-1])
-        doubt |= np.isfinite(beyond) & (np.ceil(np.maximum(beyond, 0)) != np.ceil(np.maximum(counts[-1], 0)))
-        turn = np.isfinite(beyond) & ((counts[-1] > counts[-2]) != (beyond > counts[-1]))
-        doubt |= turn & (np.abs(counts[-1] - np.floor(counts[-1] + 0.5)) < 2 * np.abs(beyond - counts[-2]))
-    low, high = np.minimum(counts[1:], counts[:-1]), np.maximum(counts[1:], counts[:-1])
-    low, high = np.maximum(np.ceil(low), 0), np.maximum(np.ceil(high), 0)
-    row, which = np.nonzero(high > low)
-    number = (high[row, which] - low[row, which]).astype(int)
-    lowest = np.repeat(low[row, which], number)
-    turns = lowest + np.arange(number.sum()) - np.repeat(number.cumsum() - number, number)
-    row, which = np.repeat(row, number), np.repeat(which, number)
-    ahead = [surplus(swings[k, which], arrivals[k, which], turns, sign, length[which]) for k in (row, row + 1)]
-    near, far = places[row, which], places[row + 1, which]
-    found = joined([Brackets(which, turns, np.full(which.shape, sign), near, far, ahead[0], ahead[1]), beside])
-    wanted = (found.turns > 0) | (sign > 0)
-    wanted &= 2 * found.turns - (sign < 0) <= most
-    return rows(found, wanted), np.concatenate([np.flatnonzero(doubt), hard])
-
-
-def bracketed(group, kind, step, most):
-    """Brackets of all crossings of a group, and the ranges that are doubtful."""
-    first, last = ends(group.rods, group.piece)
-    deepest = ROUGH_DEPTH if kind is np.float32 else 600.0
-    capped = first < -deepest, last > deepest
-    first, last = np.maximum(first, -deepest), np.minimum(last, deepest)
-    order = np.argsort(last - first)
-    parts, doubts = [], []
-    for start in range(0, order.size, RANGES):
-        here = order[start : start + RANGES]
-        some, deep = rounded_to(rows(group, here), kind), (capped[0][here], capped[1][here])
-        places = places_of(group.dip, here, first[here], last[here], step).astype(kind)
-        swings, arrivals = rough_times(some.rods, some.piece, places)
-        for sign in (1, -1) if some.rods.slow.max() >= pi else (1,):
-            found, doubt = crossed(some, sign, places, swings, arrivals, deep, most)
-            parts.append(found._replace(range=here[found.range]))
-            doubts.append(here[doubt])
-    return joined(parts), np.concatenate(doubts)
-
-
-def inverse_quadratic(a, b, c, value_a, value_b, value_c):
-    """Where on the way from a to b inverse quadratic interpolation puts the zero, or half way where it is unsafe."""
-    x, y = (a - b) / (c - b), (value_a - value_b) / (value_c - value_b)
-    share = value_a / (value_b - value_a) * value_c / (value_b - value_c)
-    share = share + (c - a) / (b - a) * value_a / (value_c - value_a) * value_b / (value_c - value_b)
-    return np.where((y * y < x) & ((1 - y) * (1 - y) < 1 - x) & (share > 0) & (share < 1), share, a.dtype.type(0.5))
-
-
-def approached(group, brackets):
-    """Rough crossings by Chandrupatla's method (1997): places, and the slope of the branch there."""
-    kind = brackets.left.dtype
-    turns, sign = brackets.turns.astype(kind), brackets.sign.astype(kind)
-    a, b, value_a, value_b = brackets.left, brackets.right, brackets.value_left, brackets.value_right
-    slope = (value_a - value_b) / (a - b)
-    fraction = np.full(a.shape, 0.5, dtype=kind)
-    secant = value_a / (value_a - value_b)
-    inside = (secant > 0.05) & (secant < 0.95)
-    fraction[inside] = secant[inside]
-    for _ in range(STEPS):
-        trial = a + fraction * (b - a)
-        swing, arrival = rough_times(group.rods, group.piece, trial)
-        value = surplus(swing, arrival, turns, sign, group.rods.length)
-        same = (value > 0) == (value_a > 0)
-        c, value_c = np.where(same, a, b), np.where(same, value_a, value_b)
-        b, value_b = np.where(same, b, a), np.where(same, value_b, value_a)
-        a, value_a = trial, value
-        near, value_near = (
-            np.where(np.abs(a - b) < np.abs(a - c), b, c),
-            np.where(np.abs(a - b) < np.abs(a - c), value_b, value_c),
-        )
-        slope = np.where(np.abs(near - a) > SPREAD, (value_near - value_a) / (near - a), slope)
-        fraction = inverse_quadratic(a, b, c, value_a, value_b, value_c)
-    return a + fraction * (b - a), slope
+    ends = brackets.left, brackets.right, brackets.value_left, brackets.value_right
+    place, slope = approached(value, *ends, STEPS, SPREAD)
+    return place.astype(float), slope.astype(float)
 
 
 def lengths_each(a, b, square, rest):
@@ -4166,7 +4684,7 @@ def lengths_each(a, b, square, rest):
 
     Gauss's transformation makes a and b equal (DLMF 19.8(i), 19.8(iii)); it is written in sums of positive terms only.
     """
-    limit, more = 2 * epsilon() ** 0.5, np.any(a > 0)
+    limit, more = 2 * (2.0**-52) ** 0.5, np.any(a > 0)
     while more:
         more = np.any(np.abs(a - b) > limit * a)
         delta = phase_rate_each(a, b, square, rest)
@@ -4177,8 +4695,10 @@ def lengths_each(a, b, square, rest):
     return pi / (2 * mean), np.arctan2(np.sqrt(square), np.sqrt(rest)) / mean
 
 
-class Found(NamedTuple):
+class Found(Record):
     """Tips: the range, place and branch, whether it grows with the tip, the motion with its phase and its times."""
+
+    __slots__ = ()
 
     range: Any
     place: Any
@@ -4193,79 +4713,252 @@ class Found(NamedTuple):
 
 def lost_ranges(brackets, parts):
     """The ranges of which not every crossing has been found."""
-    wanted = np.bincount(brackets.range)
-    return np.flatnonzero(wanted != np.bincount(np.concatenate([part.range for part in parts]), minlength=wanted.size))
+    wanted, found = np.bincount(brackets.range), np.zeros(0, dtype=int)
+    return np.flatnonzero(
+        wanted != np.bincount(np.concatenate([found, *(part.range for part in parts)]), minlength=wanted.size)
+    )
 
 
-def polished(group, brackets, kind):
-    """The crossings to rounding, by secants from the rough ones, and the ranges in which one is not found so."""
-    place, slope = approached(rounded_to(rows(group, brackets.range), kind), brackets)
-    some = rows(group, brackets.range)
-    place, slope, length = place.astype(float), slope.astype(float), some.rods.length
+def polished(some, brackets, place, slope, secants, ease):
+    """The crossings to rounding, by secants from rough ones, and the ranges in which one is not found so.
+
+    some: the group with a row for each; secants: as many before any is looked at for being right to rounding; ease: by
+    how much more is taken for rounding after each more.
+    """
     least, most = np.minimum(brackets.left, brackets.right) - 0.01, np.maximum(brackets.left, brackets.right) + 0.01
     rising = (brackets.value_right > brackets.value_left) == (brackets.right > brackets.left)
     todo = np.flatnonzero((brackets.value_left > 0) != (brackets.value_right > 0))
-    value, before = np.full(place.shape, np.nan), place.copy()
-    parts = []
+    value, before, parts = np.full(place.shape, np.nan), place.copy(), []
     for turn in range(8):
-        here, branch = rows((some, brackets), todo) if todo.size < place.size else (some, brackets)
-        motion = motion_at_each(here.rods.beta, here.rods.eta, here.piece, place[todo])
+        here, branch = (some, brackets) if todo.size == place.size else rows((some, brackets), todo)
+        at, extent = place[todo], here.rods.length
+        motion = motion_at_each(here.rods.beta, here.rods.eta, here.piece, at)
         phase = phase_of_each(motion)
         swing, arrival = lengths_each(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
-        now = surplus(swing, arrival, branch.turns, branch.sign, length[todo])
+        now = surplus(swing, arrival, branch.turns, branch.sign, extent)
         if turn:
-            change = place[todo] - before[todo]
-            slope[todo] = np.where(change == 0, slope[todo], (now - value[todo]) / np.where(change == 0, 1, change))
+            change = at - before[todo]
+            told = np.abs(change) > TOLD * (1 + np.abs(at))
+            slope[todo] = np.where(told, (now - value[todo]) / np.where(told, change, 1), slope[todo])
         step = now / slope[todo]
-        close = np.abs(step) <= 4 * epsilon() * (1 + np.abs(place[todo]))
-        close |= np.abs(now) <= 4 * epsilon() * length[todo]
-        done = todo[close]
-        state, branch = rows((motion, phase, swing, arrival), close), rows(branch, close)
-        parts.append(
-            Found(
-                branch.range,
-                place[done],
-                branch.turns,
-                branch.sign,
-                rising[done],
-                state[0],
-                state[1],
-                state[2],
-                state[3],
-            )
-        )
-        value[todo], before[todo] = now, place[todo]
-        place[todo] -= step
-        todo = todo[~close & (place[todo] >= least[todo]) & (place[todo] <= most[todo])]
+        if turn >= secants:
+            # What is left time and again is rounding of the times themselves.
+            blur = 4 * 2.0**-52 * ease ** max(turn - 1, 0)
+            close = (np.abs(step) <= blur * (1 + np.abs(at))) | (np.abs(now) <= blur * extent)
+            state = Found((branch.range, at, branch.turns, branch.sign, rising[todo], motion, phase, swing, arrival))
+            parts.append(state if close.all() else rows(state, close))
+            todo, at, now, step = todo[~close], at[~close], now[~close], step[~close]
+        value[todo], before[todo] = now, at
+        place[todo] = at = at - step
+        todo = todo[(at >= least[todo]) & (at <= most[todo])]
         if not todo.size:
             break
-    return joined(parts), lost_ranges(brackets, parts)
+    return parts, lost_ranges(brackets, parts)
+
+
+def joined(records):
+    """Records of arrays, one after another; what all rods share is taken from the first."""
+    first = records[0]
+    if len(records) == 1:
+        return first
+    if isinstance(first, np.ndarray):
+        return np.concatenate(records)
+    if isinstance(first, tuple):
+        parts = [joined(list(column)) for column in zip(*records, strict=True)]
+        return type(first)(parts) if hasattr(first, "_fields") else tuple(parts)
+    return first
+
+
+def settled(part, which, brackets, place, slope, secants, doubts):
+    """The tips of ranges by their brackets, a list, and the ranges with doubts. place, slope: where they are known."""
+    if not brackets.range.size:
+        return [], which[doubts]
+    some = rows(part, brackets.range)
+    ease = 2
+    if place is None:
+        place, slope = roughly_at(some, brackets, brackets.left.dtype)
+        ease = 1
+    found, lost = polished(some, brackets, place, slope, secants, ease)
+    doubtful = np.concatenate([doubts, lost])
+    if not found:
+        return [], which[doubtful]
+    sure = joined(found)
+    if doubtful.size:
+        sure = rows(sure, ~np.isin(sure.range, doubtful))
+    return [sure._replace(range=which[sure.range])], which[doubtful]
+
+
+def moved(group):
+    """The group without what motions do not depend on."""
+    rods = group.rods._replace(case=0, side=0, scale=0, clamp_angle=0, shot=0)
+    return group._replace(rods=rods, turns=0, rank=0)
+
+
+def hit(group, which, shots):
+    """The tips of ranges of rods that are shot."""
+    part = rows(group, which) if which.size < group.rods.case.size else group
+    brackets, place, slope = aimed(part, shots)
+    return settled(moved(part), which, brackets, place, slope, HITS, np.zeros(0, dtype=int))
+
+
+def ends(rods, piece):
+    """The places of the deepest samples: see ``places.grid``."""
+    rounding = -np.log(2.0**-52)
+    first = np.minimum(-2 * rods.slow - 6, -rounding) if piece.low_kind == "level" else -rods.slow - 6
+    late = first
+    for k in range(1, HALVINGS + 1):
+        trial = late - first * 0.5**k
+        offset = piece.low_offset + piece.width / (1 + np.exp(-trial))
+        late = np.where(least_arrival_each(rods, piece, offset) > (1 + SURELY) * rods.length, trial, late)
+    if piece.high_kind == "level":
+        last = 2 * rods.slow + rounding
+    elif piece.high_kind == "turn":
+        last = LATEST + 0 * rods.slow
+    else:
+        moment = np.abs(slope_each(rods.eta, piece.clamp_rest, piece.clamp_offset)) + SMALLEST
+        deeper = 4 + np.log(2 * piece.width) - np.log(moment) - 2 * np.log(rods.length)
+        last = np.where(piece.high_depth == 0, rounding, np.maximum(LATEST, deeper))
+    return late, last
+
+
+def spaced(deepest, step):
+    """Places from 0 to the deepest one, as shares of it."""
+    places, growth = [0.0], 1 + step / 3
+    while places[-1] < deepest:
+        places.append(places[-1] + step)
+        step *= growth
+    return np.array([*places[:-1], deepest]) / max(deepest, 1e-30)
+
+
+def places_of(dip, first, last, step):
+    """The places of samples, a column for each range: from the lowest up, and closer around dips."""
+    below, above = spaced(-first.min(), step), spaced(last.max(), step)
+    places = np.concatenate([first * below[:0:-1, None], last * above[:, None]])
+    if dip is None:
+        return places
+    return np.sort(np.concatenate([places, np.clip(dip + AROUND[:, None], first, last)]), axis=0)
+
+
+def end_arrival(piece, swing):
+    """The first arrival at the high end itself, where it is known: at once, or after the whole half-swing."""
+    if piece.high_kind == "clamp":
+        return np.where((piece.clamp_gap == 0) & (piece.high_depth > 0), 0 * swing, np.nan)
+    return swing if piece.high_kind == "turn" else None
+
+
+def extrema(group, sign, places, swings, arrivals, counts):
+    """Brackets beside the extrema that reach beyond a whole number, and the ranges where that is not sure."""
+    grows = counts[1:] > counts[:-1]
+    row, which = np.nonzero(grows[1:] != grows[:-1])
+    before, here, after = (counts[row + k, which] for k in range(3))
+    left, middle, right = (places[row + k, which] for k in range(3))
+    top = here > before
+    share = np.maximum(right - middle, 1e-30) / np.maximum(middle - left, 1e-30)
+    reach = np.maximum(np.abs(before - here) * share, np.abs(after - here) / share)
+    goal = np.where(top, np.ceil(here), np.floor(here))
+    near = np.where(top, goal - here, here - goal)
+    close = np.flatnonzero(((before - here) * (after - here) > 0) & (near <= reach) & (goal >= 0))
+    which, goal, top, left, right = which[close], goal[close], top[close], left[close], right[close]
+    if not close.size:
+        return Brackets((which, goal, np.full(which.shape, sign), left, right, left, right)), which
+    some = rows(group, which)
+    length = some.rods.length
+    finer = left + (right - left) * FINER.astype(left.dtype)[:, None]
+    swings, arrivals = rough_times(some.rods, some.piece, finer)
+    short = np.where(top, 1, -1).astype(left.dtype) * (goal - (length - sign * arrivals) / (2 * swings))
+    # Sure: well beyond, once; or so far from it that a curve that bends one way does not reach it.
+    best = short.argmin(axis=0)
+    column = np.arange(which.size)
+    inner = np.clip(best, 1, 15)
+    least, beside = short[best, column], np.maximum(short[inner - 1, column], short[inner + 1, column])
+    margin = (0.0001 if left.dtype == np.float32 else 1e-09) * (1 + goal)
+    changes = ((short[1:] < 0) != (short[:-1] < 0)).sum(axis=0)
+    beyond = (least < -margin) & (changes == 2) & (best == inner)
+    hard = ~beyond & (2 * least <= beside + margin)
+    sure = np.flatnonzero(beyond)
+    value = surplus(swings[:, sure], arrivals[:, sure], goal[sure], sign, length[sure])
+    middle, column = finer[best[sure], sure], np.arange(sure.size)
+    center = value[best[sure], column]
+    found = Brackets((which[sure], goal[sure], np.full(sure.shape, sign), left[sure], middle, value[0], center))
+    other = found._replace(left=middle, right=right[sure], value_left=center, value_right=value[-1])
+    return joined([found, other]), which[hard]
+
+
+def crossed(group, sign, places, swings, arrivals, capped, most):
+    """Brackets of the whole numbers that the count of one branch crosses, and the ranges that are doubtful."""
+    length, end = group.rods.length, end_arrival(group.piece, swings[-1])
+    counts = (length - sign * arrivals) / (2 * swings)
+    doubt = ~np.isfinite(counts.sum(axis=0)) | capped[0] & (counts[0] >= 1)
+    beside, hard = extrema(group, sign, places, swings, arrivals, counts)
+    if end is None:
+        doubt |= capped[1] & (counts[-1] >= 1)
+    else:
+        # What lies deeper than the samples, towards the end itself.
+        beyond = (length - sign * end) / (2 * swings[-1])
+        doubt |= np.isfinite(beyond) & (np.ceil(np.maximum(beyond, 0)) != np.ceil(np.maximum(counts[-1], 0)))
+        turn = np.isfinite(beyond) & ((counts[-1] > counts[-2]) != (beyond > counts[-1]))
+        doubt |= turn & (np.abs(counts[-1] - np.floor(counts[-1] + 0.5)) < 2 * np.abs(beyond - counts[-2]))
+    levels = np.maximum(np.ceil(counts), 0)
+    row, which = np.nonzero(np.abs(levels[1:] - levels[:-1]) > 0)
+    one, other = levels[row, which], levels[row + 1, which]
+    number = np.abs(other - one).astype(int)
+    lowest, row, which = np.repeat(np.minimum(one, other), number), np.repeat(row, number), np.repeat(which, number)
+    turns = lowest + np.arange(number.sum(), dtype=lowest.dtype) - np.repeat(number.cumsum() - number, number)
+    turns = turns.astype(lowest.dtype)
+    ahead = [surplus(swings[k, which], arrivals[k, which], turns, sign, length[which]) for k in (row, row + 1)]
+    near, far = places[row, which], places[row + 1, which]
+    found = joined([Brackets((which, turns, np.full(which.shape, sign), near, far, ahead[0], ahead[1])), beside])
+    wanted = (found.turns > 0) | (sign > 0)
+    wanted &= 2 * found.turns - (sign < 0) <= most
+    return found if wanted.all() else rows(found, wanted), np.concatenate([np.flatnonzero(doubt), hard])
+
+
+def bracketed(group, kind, step, most):
+    """Brackets of all crossings of a group, and the ranges that are doubtful."""
+    rounded = rounded_to(group, kind)
+    first, last = ends(rounded.rods, rounded.piece)
+    deepest = ROUGH_DEPTH if kind is np.float32 else 600.0
+    capped = first < -deepest, last > deepest
+    first, last = np.maximum(first, -deepest), np.minimum(last, deepest)
+    parts, doubts = [], []
+    for start in range(0, first.size, RANGES):
+        here = slice(start, start + RANGES)
+        some, low, high, *deep = rows((rounded, first, last, *capped), here)
+        places = places_of(some.dip, low, high, step).astype(kind)
+        swings, arrivals = rough_times(some.rods, some.piece, places)
+        for sign in (1, -1) if some.rods.slow.max() >= pi else (1,):
+            found, doubt = crossed(some, sign, places, swings, arrivals, deep, most)
+            parts.append(found._replace(range=found.range + start))
+            doubts.append(doubt + start)
+    return joined(parts), np.concatenate(doubts)
 
 
 def searched(group, which, kind, step, most):
     """The tips of some ranges, and the ranges of which there may be more or fewer."""
-    part = rows(group, which)
+    part = moved(rows(group, which) if which.size < group.rods.case.size else group)
     brackets, doubts = bracketed(part, kind, step, most)
-    found, lost = polished(part, brackets, kind)
-    doubtful = np.concatenate([doubts, lost])
-    sure = rows(found, ~np.isin(found.range, doubtful))
-    return sure._replace(range=which[sure.range]), which[doubtful]
+    return settled(part, which, brackets, None, None, SECANTS, doubts)
 
 
-def tips(group, most):
+def tips(group, shots, most):
     """The tips of a group, a list of Found, and the ranges left to the scalar solver."""
-    rough = group.rods.slow < ROUGH_SLOW
+    shot, rough = group.rods.shot, group.rods.slow < ROUGH_SLOW
     found, again = [], [np.zeros(0, dtype=int)]
-    for mask, kind in ((rough, np.float32), (~rough, float)):
+    which = np.flatnonzero(shot)
+    if which.size:
+        sure, left = hit(group, which, shots)
+        found += sure
+        again.append(left)
+    for mask, kind in ((rough & ~shot, np.float32), (~rough, float)):
         which = np.flatnonzero(mask)
         if which.size:
             sure, doubtful = searched(group, which, kind, WIDE, most)
-            found.append(sure)
+            found += sure
             again.append(doubtful)
     left = np.unique(np.concatenate(again))
     if left.size:
         sure, left = searched(group, left, float, CLOSER, most)
-        found.append(sure)
+        found += sure
     return found, left
 
 
@@ -4276,15 +4969,10 @@ def index_each(found):
     return np.where(positive == (swings % 2 == 0), swings, swings + 1).astype(int)
 
 
-def clamp_point_each(motion, phase):
-    """The point where the motion meets the clamp."""
-    b, done = strength_each(motion.near_moment), motion.done_sine
-    one = point_near_each(b, motion.sine, done, motion.left_sine)
-    product = pair_root_each(np.sqrt(motion.near), done, phase.whole, phase.delta / motion.end)
-    delta = phase_rate_each(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
-    # 2Δ/sin ψ is no less than ``middle``, the square of which may underflow.
-    root_sum = np.maximum(pair_root_sum_each(phase.square, delta), motion.middle)
-    return Point(b, point_pole_each(b, done, np.cos(motion.done / 2)), one, product, root_sum)
+def heading_of_each(field_angle, motion):
+    """The direction of a motion's tip."""
+    double = 2 * (motion.tip - field_angle)
+    return Heading((each_cos(motion.tip), each_sin(motion.tip), each_cos(double), each_sin(double)))
 
 
 def rj_pair_each(x, product, root_sum, p, lift, less, twist):
@@ -4298,10 +4986,10 @@ def rj_pair_each(x, product, root_sum, p, lift, less, twist):
     one, two = start - x, 2 * start - pair
     both = start * start - start * pair + product * product
     reach = np.abs(one) + np.abs(start - p) + np.sqrt(np.abs(both))
-    target = (epsilon() / 4) ** 0.125
+    target = (2.0**-52 / 4) ** 0.125
     scale, total = 1, 0
     while np.any(reach > target * scale * np.abs(mean)):
-        root, root_p = np.sqrt(x), np.sqrt(p)
+        root, root_p = np.sqrt(x), each_complex_sqrt(p)
         side, across = root_p * root_sum, root * root_sum
         plus, minus = lift + side, lift - side
         cancels = (np.abs(plus) < np.abs(minus)) & (scale == 1)
@@ -4324,13 +5012,15 @@ def rj_pair_each(x, product, root_sum, p, lift, less, twist):
     low = -3 * e2 / 14 + e3 / 6 + 9 * e2 * e2 / 88 - 3 * e4 / 22 - 9 * e2 * e3 / 52 + 3 * e5 / 26
     high = -e2 * e2 * e2 / 16 + 3 * e3 * e3 / 40 + 3 * e2 * e4 / 20 + 45 * e2 * e2 * e3 / 272
     high = high - 9 * (e3 * e4 + e2 * e5) / 68
-    return (1 + low + high) / (scale * mean * np.sqrt(mean)) + 6 * total
+    return (1 + low + high) / (scale * mean * each_complex_sqrt(mean)) + 6 * total
 
 
-def shift_each(eta, double_sine, double_cosine, motion, point, root, square, rest):
+def shift_each(eta, heading, motion, point, root, square, rest):
     """W as real and imaginary part: ∫e^{iθ} from the tip is e^{iφ}(σ + W)."""
     b, near, far = point.strength, np.sqrt(motion.near), np.sqrt(motion.far)
-    twist = each_complex_of(rj_delta_real_each(eta, b, double_cosine), rj_delta_imag_each(eta, b, double_sine))
+    twist = each_complex_of(
+        rj_delta_real_each(eta, b, heading.double_cosine), rj_delta_imag_each(eta, b, heading.double_sine)
+    )
     lift = pair_lift_each(near, far, motion.uneven, motion.half_cosine, square, rest)
     pole, lifted, less = each_complex_of(point.pole, -b), each_complex_of(lift, -b), each_complex_of(root, -b)
     third = rj_pair_each(point.one, point.product, point.root_sum, pole, lifted, less, twist)
@@ -4345,58 +5035,112 @@ def kink_at_each(first, second, point, root, q, m, square, rest):
     others = others_sum_each(q, root)
     gap = pole_gap_each(x, np.abs(x), others, others_product_each(b, m, root, others), product)
     far = arc_kink_each(square, delta, across, b, x, near_root, product)
-    return each_pick(x > 1, arc_kink_tip_each(first, second, delta, across, b, x, near_root, gap), far)
+    return each_pick(x > 0.25, arc_kink_tip_each(first, second, delta, across, b, x, near_root, gap), far)
 
 
 def second_kind_each(a, b, square, rest, arrival):
     """(b² − a²)∫sin²ψ over the same range as ``arrival``, the length, by the same transformation (DLMF 19.8.19)."""
-    limit, more, weight, growth = 2 * epsilon() ** 0.5, np.any(a > 0), 1, 0
+    limit, more, weight, growth = (2.0**-52) ** 0.5, np.any(a > 0), 1, 0
+    gap = a - b
     while more:
-        more = np.any(np.abs(a - b) > limit * a)
+        more = np.any(np.abs(gap) > limit * a)
         delta = phase_rate_each(a, b, square, rest)
-        growth = growth - weight * second_kind_step_each(a, b, square, rest, delta, arrival)
         total, below = a + b, a + delta
+        growth = growth - weight * second_kind_step_each(total, gap, below, square, rest, arrival)
         square, rest = gauss_square_each(square, total, below), gauss_rest_each(a, b, square, rest, delta, below)
         a, b, weight = total / 2, np.sqrt(a * b), 2 * weight
+        gap = gauss_gap_each(gap, a + b)  # a difference would lose what the weight brings out
     return growth
 
 
-def arc_to_each(beta, eta, motion, point, square, rest, extent):
+def arc_to_each(beta, eta, heading, motion, point, square, rest, extent):
     """The arc from the tip to a point, at ψ, of the given length."""
-    sine, cosine, lean = np.sin(motion.tip), np.cos(motion.tip), motion.tip - 0.5 * pi
-    double_sine, double_cosine = np.sin(2 * lean), np.cos(2 * lean)
-    root = far_root_each(motion.near, np.cos(motion.half_width))
-    w_re, w_im = shift_each(eta, double_sine, double_cosine, motion, point, root, square, rest)
-    y, z = arc_y_each(sine, cosine, extent, w_re, w_im), arc_z_each(sine, cosine, extent, w_re, w_im)
+    root = far_root_each(motion.near, each_cos(motion.half_width))
+    w_re, w_im = shift_each(eta, heading, motion, point, root, square, rest)
+    y, z = arc_y_each(heading.sine, heading.cosine, w_re, w_im), arc_z_each(heading.sine, heading.cosine, w_re, w_im)
     first, second = motion.end / 2, motion.middle / 2
-    q, m = rest_stiffness_each(beta, eta, cosine, double_cosine), tip_cubic_each(beta, eta, sine, double_sine)
+    q = rest_stiffness_each(beta, eta, heading.cosine, heading.double_cosine)
+    m = tip_cubic_each(beta, eta, heading.sine, heading.double_sine)
     kink = kink_at_each(first, second, point, root, q, m, square, rest)
     growth = second_kind_each(first, second, square, rest, extent)
-    return Arc(y, z, arc_square_each(beta, eta, cosine, np.cos(lean), first, root, extent, y, kink, growth))
+    return Arc((y, z, arc_square_each(beta, first, root, extent, y, kink, growth)))
 
 
 def far_point_each(motion):
     """The far turning point."""
     b = strength_each(motion.near_moment)
-    pole = point_pole_each(b, motion.sine, np.cos(motion.half_width))
-    return Point(b, pole, 0, far_pair_root_each(motion.end), motion.middle)
+    pole = point_pole_each(b, motion.sine, each_cos(motion.half_width))
+    return Point((b, pole, 0, far_pair_root_each(motion.end), motion.middle))
 
 
-def positions(rods, found):
-    """∫cos θ, ∫sin θ and η∫cos²(θ − α) along the rods; whole half-swings only for those that have any."""
+def clamp_point_each(motion, phase):
+    """The point where the motion meets the clamp."""
+    b, done = strength_each(motion.near_moment), motion.done_sine
+    one = point_near_each(b, motion.sine, done, motion.left_sine)
+    product = pair_root_each(np.sqrt(motion.near), done, phase.whole, phase.delta / motion.end)
+    delta = phase_rate_each(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
+    # 2Δ/sin ψ is no less than ``middle``, the square of which may underflow.
+    root_sum = np.maximum(pair_root_sum_each(phase.square, delta), motion.middle)
+    return Point((b, point_pole_each(b, done, each_cos(motion.done / 2)), one, product, root_sum))
+
+
+def first_stretches(rods, heading, found):
+    """The arcs from the tip, or from where the motion is as there, to the clamp."""
     motion, phase = found.motion, found.phase
-    beta, eta = rods.beta, rods.eta
     point = clamp_point_each(motion, phase)
-    part = arc_to_each(beta, eta, motion, point, phase.square, phase.rest, found.arrival)
-    columns = [found.sign * column for column in part]
+    return arc_to_each(rods.beta, rods.eta, heading, motion, point, phase.square, phase.rest, found.arrival)
+
+
+def sent_back_each(motion):
+    """The motion from its far turning point back to the tip, as the mirror at the y axis shows it.
+
+    A clamp at the turning point itself, where the motion has no point by ℘, is a little before it.
+    """
+    return motion._replace(
+        tip=-(motion.tip + 2 * motion.half_width),
+        done=motion.left,
+        left=motion.done,
+        near_moment=motion.far_moment,
+        far_moment=motion.near_moment,
+        near=motion.far,
+        far=motion.near,
+        uneven=-motion.uneven,
+        done_sine=np.maximum(motion.left_sine, (2.0**-52) ** 6),
+        left_sine=motion.done_sine,
+    )
+
+
+def arc_from_far_each(eta, heading, there, arc, extent):
+    """The arc of a motion turned back, whose heading is ``there``, as what departs from the tip's direction."""
+    y, z = arc.y + extent * (there.cosine - heading.cosine), arc.z + extent * (there.sine + heading.sine)
+    return Arc((y, -z, arc.square + extent * eta * (there.double_cosine - heading.double_cosine) / 2))
+
+
+def last_stretches(rods, heading, found):
+    """The arcs from the last turning point to the clamp, of rods that end on their way back."""
+    back, extent = sent_back_each(found.motion), found.swing - found.arrival
+    there, phase = heading_of_each(-0.5 * pi, back), phase_of_each(back)
+    point = clamp_point_each(back, phase)
+    arc = arc_to_each(rods.beta, rods.eta, there, back, point, phase.square, phase.rest, extent)
+    return arc_from_far_each(rods.eta, heading, there, arc, extent)
+
+
+def departures(rods, heading, found):
+    """The arcs of the rods, less those of straight ones: of whole half-swings, and of the last stretch."""
+    columns = [np.zeros(found.turns.size) for _ in range(3)]
+    motion, swing, through = found.motion, found.swing, 2 * found.turns - (found.sign < 0)
     swung = np.flatnonzero(found.turns > 0)
     if swung.size:
-        some, motion, swing, turns = rows((rods, found.motion, found.swing, found.turns), swung)
+        some, there, motion, swing, times = rows((rods, heading, motion, swing, through), swung)
         one, none = np.full(swung.shape, 1.0), np.zeros(swung.size)
-        far = far_point_each(motion)
-        whole = arc_to_each(some.beta, some.eta, motion, far, one, none, swing)
+        whole = arc_to_each(some.beta, some.eta, there, motion, far_point_each(motion), one, none, swing)
         for column, change in zip(columns, whole, strict=True):
-            column[swung] += 2 * turns * change
+            column[swung] = times * change
+    for which, stretch in ((found.sign > 0, first_stretches), (found.sign < 0, last_stretches)):
+        some = np.flatnonzero(which)
+        if some.size:
+            for column, change in zip(columns, stretch(*rows((rods, heading, found), some)), strict=True):
+                column[some] += change
     return columns
 
 
@@ -4406,26 +5150,28 @@ def bent(group, found, most):
     wanted = np.flatnonzero(index <= most)
     if wanted.size < index.size:
         found, index = rows(found, wanted), index[wanted]
-    some = rows(group, found.range)
-    rods, motion, phase = some.rods, found.motion, found.phase
-    beta, eta = rods.beta, rods.eta
-    cosine, aligned = np.cos(motion.tip), np.cos(motion.tip - 0.5 * pi)
-    y, z, square = positions(rods, found)
+    rods, rank, turns = rows((group.rods, group.rank, group.turns), found.range)
+    motion, phase = found.motion, found.phase
+    beta, eta, length = rods.beta, rods.eta, rods.length
+    heading = heading_of_each(0.5 * pi, motion)
+    y, z, square = departures(rods, heading, found)
     speed = phase.delta * phase.whole / (motion.end * motion.sine) * np.sqrt(2 * motion.done_sine * motion.left_sine)
-    gamma = 2 * beta * cosine + eta * aligned * aligned
-    energy = gamma * rods.length / 2 - 2 * beta * y - square
+    gamma = 2 * beta * heading.cosine + eta * (1 + heading.double_cosine) / 2
+    energy = -gamma * length / 2 - 2 * beta * y - square
     scale, side = rods.scale, rods.side
     return Columns(
-        rods.case,
-        side * (some.rank - LAST),
-        side * found.place,
-        side * (motion.tip + 2 * pi * some.turns),
-        -side * found.sign * np.ldexp(speed, scale),
-        np.ldexp(gamma, 2 * scale),
-        np.ldexp(y, -scale),
-        side * np.ldexp(z, -scale),
-        np.ldexp(energy, scale),
-        index,
+        (
+            rods.case,
+            side * (rank - LAST),
+            side * found.place,
+            side * (motion.tip + 2 * pi * turns),
+            -side * found.sign * np.ldexp(speed, scale),
+            np.ldexp(gamma, 2 * scale),
+            np.ldexp(length * heading.cosine + y, -scale),
+            side * np.ldexp(length * heading.sine + z, -scale),
+            np.ldexp(energy, scale),
+            index,
+        )
     )
 
 
@@ -4443,27 +5189,29 @@ def straight_rods(straight, most):
     extent = np.ldexp(length, -here)
     gamma = np.ldexp(2 * rods.beta * cosine + rods.eta * aligned * aligned, 2 * here)
     found = Columns(
-        rods.case,
-        0 * index,
-        0 * extent,
-        rods.clamp_angle,
-        0 * extent,
-        gamma,
-        cosine * extent,
-        sine * extent,
-        np.ldexp(energy, here),
-        index,
+        (
+            rods.case,
+            0 * index,
+            0 * extent,
+            rods.clamp_angle,
+            0 * extent,
+            gamma,
+            cosine * extent,
+            sine * extent,
+            np.ldexp(energy, here),
+            index,
+        )
     )
     return rows(found, index <= most)
 
 
-def on_arrays(rods, most):
+def on_arrays(rods, shots, most):
     """The equilibria of rods with tips below the clamp angle, the straight ones, and the cases left to the scalar
     solver."""
     found, straight, doubtful = groups(rods)
     parts, left = [no_columns()], [doubtful]
     for group in found:
-        tip, lost = tips(group, most)
+        tip, lost = tips(group, shots, most)
         left.append(group.rods.case[lost])
         parts += [bent(group, some, most) for some in tip]
     parts += [straight_rods(some, most) for some in straight]
@@ -4484,9 +5232,10 @@ def at_once(beta, eta, length, clamp_angle, size, most):
     force, magnet, extent = np.ldexp(beta, -2 * scale), np.ldexp(eta, -2 * scale), np.ldexp(length, scale)
     slow = extent * np.sqrt(force + magnet)
     clamp = np.full(size, clamp_angle)
-    good = (slow < SLOWEST) & (slow > epsilon())
-    rods = both_sides_each(rows(Rods(np.arange(size), 1, scale, force, magnet, extent, clamp, slow), good))
-    found, doubtful = on_arrays(rods, most)
+    good = (slow < SLOWEST) & (slow > 2.0**-52)
+    rods = rows(Rods((np.arange(size), 1, scale, force, magnet, extent, clamp, slow, slow < 0)), good)
+    rods, shots = with_shots(rods, size)
+    found, doubtful = on_arrays(rods, shots, most)
     return found, np.unique(np.concatenate([np.flatnonzero(~good), doubtful, np.flatnonzero(short(found, size, most))]))
 
 
@@ -4494,16 +5243,18 @@ def one_by_one(beta, eta, length, clamp_angle, max_index):
     """The equilibria of one rod by the scalar solver."""
     found = all_equilibria(beta, eta, length, clamp_angle, max_index)
     return Columns(
-        np.zeros(len(found), dtype=int),
-        np.arange(len(found)),
-        np.zeros(len(found)),
-        np.array([item.tip_angle for item in found], dtype=float),
-        np.array([item.clamp_curvature for item in found], dtype=float),
-        np.array([item.gamma for item in found], dtype=float),
-        np.array([item.y for item in found], dtype=float),
-        np.array([item.z for item in found], dtype=float),
-        np.array([item.energy for item in found], dtype=float),
-        np.array([item.index for item in found], dtype=int),
+        (
+            np.zeros(len(found), dtype=int),
+            np.arange(len(found)),
+            np.zeros(len(found)),
+            np.array([item.tip_angle for item in found], dtype=float),
+            np.array([item.clamp_curvature for item in found], dtype=float),
+            np.array([item.gamma for item in found], dtype=float),
+            np.array([item.y for item in found], dtype=float),
+            np.array([item.z for item in found], dtype=float),
+            np.array([item.energy for item in found], dtype=float),
+            np.array([item.index for item in found], dtype=int),
+        )
     )
 
 
@@ -4580,13 +5331,15 @@ def steps(beta, soonest, length, low, high):
     return [start, *(eta for eta in inner if start < eta < high), high]
 
 
-class Mark(NamedTuple):
+class Mark(Record):
     """An extremum of a branch's length over the tip angle.
 
     key: side, piece, branch, and whether it is a maximum. group: what of it stays when it goes over to another piece.
     spot: what tells it from the others of its key, the place. height: the length there over the rod's, less 1. slope:
     the derivative of that by η.
     """
+
+    __slots__ = ()
 
     key: tuple
     group: tuple
@@ -4599,8 +5352,10 @@ class Mark(NamedTuple):
     piece: Piece
 
 
-class Probe(NamedTuple):
+class Probe(Record):
     """Half-swing, first arrival, and their derivatives by the place."""
+
+    __slots__ = ()
 
     place: float
     swing: float
@@ -4632,9 +5387,11 @@ def change_of_ratio(beta, eta, motion, change, d_turn):
     return -by_tip * skew / (near * far * far) * change.tip - by_far - by_near
 
 
-class Numbers(NamedTuple):
+class Numbers(Record):
     """Derivatives of the numbers of the Legendre form: of the logarithms of far/near, end and middle, and of the far
     turning point itself."""
+
+    __slots__ = ()
 
     ratio: float
     end: float
@@ -4664,7 +5421,7 @@ def changes_of_numbers(beta, eta, motion, change):
     d_excess = d_excess - 2 * cos_middle * cosine * change.beta - double_cos * wide * change.eta
     square = 4 * motion.middle * motion.middle
     if excess >= 0:
-        return Numbers(ratio, (near + far) / 4, (d_product + d_excess) / (2 * square), d_turn)
+        return Numbers((ratio, (near + far) / 4, (d_product + d_excess) / (2 * square), d_turn))
     mean = -(2 * beta * cos_middle + eta * cosine * double_cos)
     d_mean = 2 * (beta * sin_middle + eta * cosine * double_sin) * d_middle + eta * sine * double_cos * d_half
     d_mean = d_mean - 2 * cos_middle * change.beta - cosine * double_cos * change.eta
@@ -4673,7 +5430,7 @@ def changes_of_numbers(beta, eta, motion, change):
     apart = square * below / (sine * sine * (mean + eta))
     logarithm = 2 * cot + (d_mean - change.eta) / apart + (d_mean + change.eta) / (mean + eta)
     logarithm = logarithm - (d_product - d_excess) / below
-    return Numbers(ratio, (near + far) / 4, logarithm / 2, d_turn)
+    return Numbers((ratio, (near + far) / 4, logarithm / 2, d_turn))
 
 
 def sine_part(a, b, square, rest, arrival):
@@ -4681,9 +5438,9 @@ def sine_part(a, b, square, rest, arrival):
 
     ``second_kind`` over b² − a², which is taken out of each of its terms: aₖ₊₁² − bₖ₊₁² = (aₖ − bₖ)²/4.
     """
-    limit, more, weight, total = 2 * epsilon() ** 0.5, True, 1, 0
+    limit, more, weight, total = 2 * (2.0**-52) ** 0.5, True, 1, 0
     while more:
-        more = any_of(abs(a - b) > limit * a)
+        more = abs(a - b) > limit * a
         delta = sqrt(a * a * rest + b * b * square)
         total = total + weight * (arrival / 2 - sqrt(square * rest) / (a + delta))
         sum_, below = a + b, a + delta
@@ -4714,7 +5471,7 @@ def rates_of_times(beta, eta, motion, phase, swing, arrival, change):
     done, left = sqrt(motion.far) * motion.done_sine, sqrt(motion.near) * motion.left_sine
     sine_chi = 2 * sqrt(done * left) / phase.whole
     first = forth >= phase.delta
-    behind = pick(first, (b * sine_chi) * (b * sine_chi) / pick(first, forth, 1), 2 * phase.delta - forth)
+    behind = b * sine_chi * (b * sine_chi) / (forth if first else 1) if first else 2 * phase.delta - forth
     moved = across * behind * (numbers.end - numbers.middle) / (2 * phase.delta * speed)
     near_cot = cos(motion.done / 2) / motion.done_sine * change.tip
     far_cot = cos(motion.left / 2) / motion.left_sine * numbers.turn
@@ -4732,8 +5489,10 @@ def rates_of_sample(rod, item, change):
     return rates_of_times(rod.beta, rod.eta, motion, item.phase, swing, arrival, change)
 
 
-class Change(NamedTuple):
+class Change(Record):
     """The change of the tip angle and of the loads, along which a derivative is taken."""
+
+    __slots__ = ()
 
     tip: float
     beta: float
@@ -4747,10 +5506,10 @@ def probe(rod, piece, ends, place):
     if abs(place) >= delay.deepest:
         side = -1 if place < 0 else 1
         rates = side * (delay.tip + delay.middle + delay.far), side * delay.arrival
-        return Probe(place, item.swing, item.arrival, *rates)
+        return Probe((place, item.swing, item.arrival, *rates))
     share = piece.width / ((1 + exp(place)) * (1 + exp(-place)))
-    rates = rates_of_sample(rod, item, Change(share, 0, 0))
-    return Probe(place, item.swing, item.arrival, *rates)
+    rates = rates_of_sample(rod, item, Change((share, 0, 0)))
+    return Probe((place, item.swing, item.arrival, *rates))
 
 
 def dense(sample, samples, length):
@@ -4781,7 +5540,7 @@ def branches_near(samples, length):
 def rate(item, sign, swings):
     """The derivative of the length of a branch by the place; 0 where it is within rounding of it."""
     value = (2 * swings * item.swing_rate if swings else 0) + sign * item.arrival_rate
-    return value if abs(value) > 64 * epsilon() * (2 * swings * item.swing + item.arrival) else 0
+    return value if abs(value) > 64 * 2.0**-52 * (2 * swings * item.swing + item.arrival) else 0
 
 
 def branch_length(item, sign, swings):
@@ -4839,8 +5598,8 @@ def mark_at(rod, turns, piece, sample, key, sign, swings, before, after):
     ends = before.place, after.place
     place = bracketed_root(function, ends, [function(end) for end in ends], 0)
     height = branch_length(sample(place), sign, swings) / rod.length - 1
-    slope = slope_at(rod, piece, place, sign, swings, Change(0, 0, 1))
-    return Mark(key, (rod.side, sign, swings, key[-1]), place, place, height, slope, rod, turns, piece)
+    slope = slope_at(rod, piece, place, sign, swings, Change((0, 0, 1)))
+    return Mark((key, (rod.side, sign, swings, key[-1]), place, place, height, slope, rod, turns, piece))
 
 
 def marks_on(rod, turns, piece, where, wanted):
@@ -4888,7 +5647,7 @@ def marks(sides, wanted=None):
 
 def both_sides(beta, eta, length, clamp_angle, scale):
     """The rod, and its mirror image."""
-    return Rod(beta, eta, length, clamp_angle, 1, scale), Rod(beta, eta, length, -clamp_angle, -1, scale)
+    return Rod((beta, eta, length, clamp_angle, 1, scale)), Rod((beta, eta, length, -clamp_angle, -1, scale))
 
 
 def rod_of(mark):
@@ -4897,7 +5656,7 @@ def rod_of(mark):
     index = 2 * swings - (1 if sign < 0 else 0)
     rod, piece = mark.rod, mark.piece
     sample = sample_at(rod.beta, rod.eta, piece, delays(piece), mark.place)
-    return bent_rod(rod, mark.turns, piece, Crossing(sample, swings, sign, True), index)
+    return bent_rod(rod, mark.turns, piece, Crossing((sample, swings, sign, True)), index)
 
 
 def fold_of(mark):
@@ -4906,7 +5665,7 @@ def fold_of(mark):
     found = rod_of(mark)
     change = 2 if (mark.slope > 0) == top else -2
     eta = ldexp(rod.eta, 2 * rod.scale)
-    return Fold(eta, found.tip_angle, found.clamp_curvature, found.y, found.z, found.index, change, "fold")
+    return Fold((eta, found.tip_angle, found.clamp_curvature, found.y, found.z, found.index, change, "fold"))
 
 
 def nearest(values, key, spot):
@@ -4920,12 +5679,14 @@ def sharpened(at, mark):
     return nearest(at(eta, mark.key), mark.key, mark.spot) or mark
 
 
-class Row(NamedTuple):
+class Row(Record):
     """What is at a place of the parameter: by key, lists of records in the order of their spots.
 
     A record has a spot, by which it is told from others of its key, a group, which it keeps if it goes over to
     another key, and a height.
     """
+
+    __slots__ = ()
 
     place: float
     values: dict
@@ -4961,22 +5722,24 @@ def lonely(low, high):
 
 def follow(values_at, places, origin, least):
     """Rows so dense that the same records are on both sides, or the interval is negligible."""
-    rows = [Row(places[0], values_at(places[0], None))]
-    todo = [Row(place, values_at(place, None)) for place in places[:0:-1]]
+    rows = [Row((places[0], values_at(places[0], None)))]
+    todo = [Row((place, values_at(place, None))) for place in places[:0:-1]]
     while todo:
         low, high = rows[-1], todo[-1]
         wide = share(low, high, origin)
         alone = [record for records in lonely(low, high) for record in records]
         if wide > least and any(abs(record.height) < 2 * sqrt(wide) for record in alone):
             middle = (low.place + high.place) / 2
-            todo.append(Row(middle, values_at(middle, None)))
+            todo.append(Row((middle, values_at(middle, None))))
         else:
             rows.append(todo.pop())
     return rows
 
 
-class Bracket(NamedTuple):
+class Bracket(Record):
     """Places between which the height of a record changes sign, and the record on either side."""
+
+    __slots__ = ()
 
     key: tuple
     low: float
@@ -4988,7 +5751,7 @@ class Bracket(NamedTuple):
 def changes(low, high):
     """The changes of sign between two rows."""
     return [
-        Bracket(key, low.place, high.place, before, after)
+        Bracket((key, low.place, high.place, before, after))
         for key, before, after in matched(low, high)
         if before.height != 0 and (before.height < 0) != (after.height < 0)
     ]
@@ -5010,7 +5773,7 @@ def lowest(values_at, triple, key, spot, side):
     """Where side·height is least, or first found below zero, and the record there."""
 
     def sample(place):
-        return Row(place, values_at(place, key))
+        return Row((place, values_at(place, key)))
 
     def short(row):
         record = nearest(row.values, key, spot)
@@ -5035,8 +5798,8 @@ def touched(values_at, triple):
             continue
         place, best = lowest(values_at, triple, key, record.spot, side)
         if best is not None and side * best.height < 0:
-            found.append(Bracket(key, low.place, place, before, best))
-            found.append(Bracket(key, place, high.place, best, after))
+            found.append(Bracket((key, low.place, place, before, best)))
+            found.append(Bracket((key, place, high.place, best, after)))
     return found
 
 
@@ -5104,7 +5867,7 @@ def pitchforks(beta, length, clamp_angle, scale, places):
             change = 2 if softening == (facing < 0) else -2
             extent = ldexp(length, -scale)
             at = (clamp_angle, 0 * extent, cosine * extent, sine * extent)
-            found.append(Fold(ldexp(eta, 2 * scale), *at, index, change, "pitchfork"))
+            found.append(Fold((ldexp(eta, 2 * scale), *at, index, change, "pitchfork")))
         index += 1
     return found
 
@@ -5175,12 +5938,12 @@ def stationary(at, places, origin, key):
 def exchange_of(at, mark):
     """The exchange of a doubly stationary length that is the rod's; a step of Newton's method sharpens β."""
     _, sign, swings, top, over = mark.group
-    slope = slope_at(mark.rod, mark.piece, mark.place, sign, swings, Change(0, 1, 0))
+    slope = slope_at(mark.rod, mark.piece, mark.place, sign, swings, Change((0, 1, 0)))
     mark = nearest(at(mark.rod.beta - mark.height / slope, mark.key), mark.key, mark.spot) or mark
     rod, found = mark.rod, rod_of(mark._replace(group=mark.group[:-1]))
     loads = ldexp(rod.beta, 2 * rod.scale), ldexp(rod.eta, 2 * rod.scale)
     kind = "isolated" if top == over else "exchange"
-    return Exchange(*loads, found.tip_angle, found.clamp_curvature, found.y, found.z, found.index, kind)
+    return Exchange((*loads, found.tip_angle, found.clamp_curvature, found.y, found.z, found.index, kind))
 
 
 def all_exchanges(length, clamp_angle, low_beta, high_beta, low, high):
@@ -5207,8 +5970,7 @@ def all_exchanges(length, clamp_angle, low_beta, high_beta, low, high):
 # Interface
 
 
-@dataclass(frozen=True, slots=True)
-class Equilibrium:
+class Equilibrium(Record):
     """One equilibrium of a rod.
 
     tip_angle: θ(ℓ), continuous from θ(0) = clamp_angle, not wrapped. clamp_curvature: θ′(0). gamma: constant of
@@ -5217,6 +5979,8 @@ class Equilibrium:
     rod: the rod it is an equilibrium of.
     swing: its half-swing, None if it is straight.
     """
+
+    __slots__ = ()
 
     tip_angle: float
     clamp_curvature: float
@@ -5245,9 +6009,10 @@ def equilibria(beta, eta, length, clamp_angle, *, max_index=None) -> list[Equili
     return all_equilibria(beta, eta, length, clamp_angle, index_limit(max_index))
 
 
-@dataclass(frozen=True, slots=True)
-class Shape:
+class Shape(Record):
     """A rod at the arc lengths asked for: theta (from y to the tangent), curvature θ′, and the position y, z."""
+
+    __slots__ = ()
 
     theta: Any
     curvature: Any
@@ -5272,12 +6037,13 @@ def shape(equilibrium: Equilibrium, s, *, position=True) -> Shape:
     theta, curvature, y and z have the shape of s. Raises TypeError or ValueError where an s is not on the rod.
     """
     found = shape_at(equilibrium, on_rod(equilibrium, s), position)
-    return Shape(*(part if part is None else part[()] for part in found))
+    return Shape(part if part is None else part[()] for part in found)
 
 
-@dataclass(frozen=True, slots=True)
-class Sweep:
+class Sweep(Record):
     """The equilibria of many rods, flat: case[k] is the index of the rod (in the order of the broadcast arrays)."""
+
+    __slots__ = ()
 
     case: Any
     tip_angle: Any
@@ -5298,28 +6064,22 @@ def sweep(beta, eta, length, clamp_angle, *, max_index=None) -> Sweep:
     """
     beta, eta, length = all_not_negative("beta", beta), all_not_negative("eta", eta), all_positive("length", length)
     clamp_angle = all_real("clamp_angle", clamp_angle)
-    grid, limit = common_shape(Given(beta, eta, length, clamp_angle)), index_limit(max_index)
+    grid, limit = common_shape(Given((beta, eta, length, clamp_angle))), index_limit(max_index)
     found = sweep_arrays(beta, eta, length, clamp_angle, grid, limit)
     return Sweep(
-        found.case,
-        found.tip_angle,
-        found.clamp_curvature,
-        found.gamma,
-        found.y,
-        found.z,
-        found.energy,
-        found.index,
+        (found.case, found.tip_angle, found.clamp_curvature, found.gamma, found.y, found.z, found.energy, found.index)
     )
 
 
-@dataclass(frozen=True, slots=True)
-class Fold:
+class Fold(Record):
     """Two equilibria meet, at this η, and vanish on one side of it.
 
     tip_angle, clamp_curvature, y, z: of the rod there. index: the lower of the two indices that meet; the other one is
     index + 1. change: the number of equilibria just above this η less that just below: 2 or −2. kind: 'fold', or
     'pitchfork' where the two that vanish meet a third one, the straight rod.
     """
+
+    __slots__ = ()
 
     eta: float
     tip_angle: float
@@ -5346,8 +6106,7 @@ def folds(beta, length, clamp_angle, *, eta) -> list[Fold]:
     return all_folds(beta, length, clamp_angle, *span("eta", eta))
 
 
-@dataclass(frozen=True, slots=True)
-class Exchange:
+class Exchange(Record):
     """At this β and η the two folds of a diagram over η meet: it changes its aspect as β goes by.
 
     With F = θ(0) − clamp angle as a function of the tip angle φ and of η: F = ∂F/∂φ = ∂F/∂η = 0. kind: 'exchange',
@@ -5355,6 +6114,8 @@ class Exchange:
     where a closed branch shrinks to a point and vanishes (F has an extremum). tip_angle, clamp_curvature, y, z: of
     the rod there. index: the lower of the two indices that meet.
     """
+
+    __slots__ = ()
 
     beta: float
     eta: float

@@ -7,22 +7,22 @@ Load case: orthogonal. Valid for beta >= 0, eta >= 0.
 Constants folded: length = 80, clamp_angle = pi/2.
 Formulas, each proved equal to its derivation:
     arc_kink (DLMF 19.29(ii)), arc_kink_tip, arc_square (DLMF 19.29(ii)), arc_y (exsl36), arc_z (exsl41),
-    chi_square (DLMF 4.21(iii)), far_pair_root, far_root, gauss_rest (DLMF 19.8(iii)),
+    chi_square (DLMF 4.21(iii)), far_pair_root, far_root, gauss_gap (DLMF 19.8(i)), gauss_rest (DLMF 19.8(iii)),
     gauss_square (DLMF 19.8(iii)), half_rest (DLMF 22.6(iii)), half_rest_beyond (DLMF 22.6(iii)),
     half_square (DLMF 22.6(iii)), half_square_beyond (DLMF 22.6(iii)), others_product, others_sum, pair_lift,
     pair_root, pair_root_sum (DLMF 19.26(iii)), phase_lead, phase_rate (DLMF 19.2.4), phase_sum, point_near,
     point_pole (exsl22), pole_gap, rest_fall, rest_moment, rest_stiffness, rj_delta_imag (DLMF 19.26(iii)),
     rj_delta_real (DLMF 19.26(iii)), second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic,
     w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 8a33cbedf5943cfa9c9fec7b6be2d299adc11e4864550728600a870be2014316
+Digest of the inputs: sha256 c2f2f58404fbb79e22ffa3a48795bcc2997998b004f6685bc4034d5605bfea74
 """
 
 from __future__ import annotations
 
+from collections import namedtuple
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
 from operator import index
-from typing import Any, NamedTuple
+from typing import Any
 
 from mpmath import (
     asin,
@@ -47,7 +47,6 @@ from mpmath import (
 )
 from mpmath import ceil as mpf_ceil
 from mpmath import floor as mpf_floor
-from mpmath import sqrt as complex_sqrt
 
 __all__ = ["Equilibrium", "Sweep", "equilibria", "sweep"]
 
@@ -130,10 +129,15 @@ def arctan_share(z, end):
             total, power, n = total + power / n, -power * z, n + 2
         return total
     if abs(z) < 0.5:
-        root = complex_sqrt(z)
+        root = sqrt(z)
         return atan(root) / root
-    root = complex_sqrt(-z)
+    root = sqrt(-z)
     return log((1 + root) * (1 + root) / end) / (2 * root)
+
+
+def plus_quarters(angle, quarters):
+    """angle + quarters·π/2."""
+    return angle + quarters * (pi / 2)
 
 
 # Formulas, as derived
@@ -318,20 +322,20 @@ def w_imag(b, rj_re):
     return 2 * b * rj_re / 3
 
 
-def arc_y(sine, cosine, arc, w_re, w_im):
-    """∫y′ dσ from the tip to the point, by sin φ and cos φ.
+def arc_y(sine, cosine, w_re, w_im):
+    """∫y′ dσ from the tip to the point less what it is along the tip's direction, by sin φ and cos φ.
 
     Equation exsl36; proved as swing.arc_y.
     """
-    return cosine * (arc + w_re) - sine * w_im
+    return cosine * w_re - sine * w_im
 
 
-def arc_z(sine, cosine, arc, w_re, w_im):
-    """∫z′ dσ from the tip to the point, by sin φ and cos φ.
+def arc_z(sine, cosine, w_re, w_im):
+    """∫z′ dσ from the tip to the point less what it is along the tip's direction, by sin φ and cos φ.
 
     Equation exsl41; proved as swing.arc_z.
     """
-    return sine * (arc + w_re) + cosine * w_im
+    return sine * w_re + cosine * w_im
 
 
 def rest_stiffness(beta, eta, cosine, double_cosine):
@@ -393,26 +397,28 @@ def arc_kink_tip(first, second, delta, across, b, pole, near_root, gap):
     )
 
 
-def second_kind_step(first, second, square, rest, delta, arc):
-    """2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step.
+def second_kind_step(total, gap, below, square, rest, arc):
+    """2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step; below = a + Δ.
 
     Equation DLMF 19.8.19; proved as swing.second_kind_step.
     """
-    return (first + second) * (first - second) * (0.5 * arc - sqrt(square * rest) / (first + delta))
+    return total * gap * (0.5 * arc - sqrt(square * rest) / below)
 
 
-def arc_square(beta, eta, cosine, aligned, first, root, arc, y, kink, growth):
-    """η∫cos²(θ − α)dσ from the tip to the point, by cos φ and cos(φ − α).
+def gauss_gap(gap, total):
+    """a′ − b′ after Gauss's step, by gap = a − b and total = a′ + b′.
+
+    Equation DLMF 19.8(i); proved as swing.gauss_gap.
+    """
+    return 0.25 * gap * gap / total
+
+
+def arc_square(beta, first, root, arc, y_apart, kink, growth):
+    """η∫cos²(θ − α)dσ from the tip to the point less what it is along the tip's direction, by the same of y.
 
     Equation DLMF 19.29(ii); proved as swing.arc_square.
     """
-    return (
-        arc * (beta * cosine + eta * aligned * aligned)
-        - beta * y
-        - 2 * arc * (2 * first * first - 2 * root)
-        - 2 * kink
-        - 8 * growth
-    )
+    return -beta * y_apart - 2 * arc * (2 * first * first - 2 * root) - 2 * kink - 8 * growth
 
 
 def strength(moment_there):
@@ -486,11 +492,36 @@ def digits(dps):
     return wanted
 
 
-class Motion(NamedTuple):
+class Record(tuple):
+    """A tuple whose fields have names: the annotations of its class, in order. Made from a tuple of all its values."""
+
+    __slots__ = ()
+    _fields: tuple[str, ...]
+    _places = namedtuple("_places", "a b c d e f g h i j k l m n o p")  # no record has more fields
+
+    def __init_subclass__(cls):
+        """Give every field its place; what reads a place is taken from one named tuple."""
+        cls._fields = tuple(cls.__annotations__)
+        for name, place in zip(cls._fields, cls._places._fields, strict=False):
+            setattr(cls, name, getattr(cls._places, place))
+
+    def __repr__(self):
+        """The class and the fields by name."""
+        fields = ", ".join(f"{name}={value!r}" for name, value in zip(self._fields, self, strict=True))
+        return f"{type(self).__name__}({fields})"
+
+    def _replace(self, **changed):
+        """The same with some other values."""
+        return type(self)([changed.get(name, value) for name, value in zip(self._fields, self, strict=True)])
+
+
+class Motion(Record):
     """A motion from rest at the tip through the clamp angle to rest at the far turning point, and back.
 
     With χ from 0 at the tip to π at the far turning point, dσ = dχ/√(end² cos²χ + middle² sin²χ).
     """
+
+    __slots__ = ()
 
     tip: mpf  # the tip angle, in the turn of the landscape
     half_width: mpf
@@ -509,8 +540,10 @@ class Motion(NamedTuple):
     left_sine: mpf  # sin(left/2)
 
 
-class Stay(NamedTuple):
+class Stay(Record):
     """A motion, and the lengths for which it stays near its tip, its middle, and its far turning point besides."""
+
+    __slots__ = ()
 
     motion: Motion
     tip: mpf
@@ -519,25 +552,47 @@ class Stay(NamedTuple):
     arrival: mpf
 
 
-class Arc(NamedTuple):
-    """A stretch of rod from the tip: ∫cos θ, ∫sin θ and η∫cos²(θ − α)."""
+class Heading(Record):
+    """The tip's direction: cos and sin of φ, and of 2(φ − α)."""
+
+    __slots__ = ()
+
+    cosine: mpf
+    sine: mpf
+    double_cosine: mpf
+    double_sine: mpf
+
+
+class Arc(Record):
+    """A stretch of rod from the tip, less what it would be if it were straight along the tip's direction.
+
+    ∫cos θ, ∫sin θ and η∫cos²(θ − α), with cos θ − cos φ for cos θ and likewise.
+    """
+
+    __slots__ = ()
 
     y: mpf
     z: mpf
     square: mpf
 
 
-class Swing(NamedTuple):
+class Swing(Record):
     """A half-swing of a bent rod, for its shape: how it was found, its length, and its arc. turns: of the clamp.
+
+    heading: the tip's direction. total: the arc of the whole rod.
 
     The clamp lies on the half-swing after ``whole`` of them, at the length ``arrival`` from where the motion is as at
     the tip, of which ``regular`` is not straight, and at the phase ψ with sin²ψ = square and cos²ψ = rest.
     """
 
+    __slots__ = ()
+
     stay: Stay
     turns: int
     length: mpf
+    heading: Heading
     arc: Arc
+    total: Arc
     middle_angle: mpf
     far_angle: mpf
     whole: int
@@ -560,14 +615,16 @@ def weak_rod(beta, eta):
     moment = beta
     gamma = eta
     tip = 0.5 * pi - moment * mpf(80) * mpf(80) / 2
-    return Equilibrium(tip, -moment * mpf(80), gamma, mpf(0), mpf(80), -gamma * mpf(80) / 2, 0, None)
+    return Equilibrium((tip, -moment * mpf(80), gamma, mpf(0), mpf(80), -gamma * mpf(80) / 2, 0, None))
 
 
-class Rod(NamedTuple):
+class Rod(Record):
     """A rod in units in which β + η is of order one: lengths are 2**scale times the user's.
 
 
     """
+
+    __slots__ = ()
 
     beta: mpf
     eta: mpf
@@ -577,11 +634,13 @@ class Rod(NamedTuple):
     scale: int
 
 
-class Rest(NamedTuple):
+class Rest(Record):
     """A direction without moment: angle = quarters·π/2 + extra.
 
     stiffness: dθ″/dθ there, positive on a hill. double_cosine, double_sine: of 2(angle − α).
     """
+
+    __slots__ = ()
 
     quarters: int
     extra: mpf
@@ -591,25 +650,30 @@ class Rest(NamedTuple):
     double_sine: mpf
 
 
-class Landscape(NamedTuple):
+class Landscape(Record):
     """The directions of one turn, from the highest hill to the same hill a turn on: hill, well(, ridge, well), hill.
 
-    level: the ridge is as high as the hill. even: V is symmetric about every hill and well.
+    level: the ridge is as high as the hill. even: V is symmetric about every hill and well. shoulder: where a ridge is
+    nearly there, the direction at which the couple, ``moment``, is nearest to zero; None where that is not asked for.
     """
+
+    __slots__ = ()
 
     rests: tuple[Rest, ...]
     level: bool
     even: bool
+    shoulder: Rest | None
+    moment: mpf
 
 
 def along(beta, quarters, sign):
     """A direction along or against the force, no field: what it is about the field is not asked."""
-    return Rest(quarters, 0, quarters * (pi / 2), sign * beta, 1, 0)
+    return Rest((quarters, 0, quarters * (pi / 2), sign * beta, 1, 0))
 
 
 def no_field(beta):
     """The force alone."""
-    return Landscape((along(beta, 0, 1), along(beta, 2, -1), along(beta, 4, 1)), False, True)
+    return Landscape(((along(beta, 0, 1), along(beta, 2, -1), along(beta, 4, 1)), False, True, None, 0.0))
 
 
 def orthogonal_double(beta, eta):
@@ -618,16 +682,16 @@ def orthogonal_double(beta, eta):
     stiffness = (eta - beta) * (eta + beta) / eta
     cosine = 1 - 2 * (beta / eta) * (beta / eta)
     sine = -2 * (beta / eta) * sqrt((eta - beta) * (eta + beta)) / eta
-    low = Rest(0, -lean, -lean, stiffness, cosine, -sine)
-    high, again = Rest(0, lean, lean, stiffness, cosine, sine), low._replace(quarters=4, angle=2 * pi - lean)
-    top, bottom = Rest(0, 0, 0, beta - eta, -1, 0), Rest(2, 0, pi, -beta - eta, -1, 0)
-    return Landscape((low, top, high, bottom, again), True, True)
+    low = Rest((0, -lean, -lean, stiffness, cosine, -sine))
+    high, again = Rest((0, lean, lean, stiffness, cosine, sine)), low._replace(quarters=4, angle=2 * pi - lean)
+    top, bottom = Rest((0, 0, 0, beta - eta, -1, 0)), Rest((2, 0, pi, -beta - eta, -1, 0))
+    return Landscape(((low, top, high, bottom, again), True, True, None, 0.0))
 
 
 def orthogonal_single(beta, eta):
     """The field across a force that is not weaker: one hill, at 0."""
-    top, again = (Rest(quarters, 0, quarters * (pi / 2), beta - eta, -1, 0) for quarters in (0, 4))
-    return Landscape((top, Rest(2, 0, pi, -beta - eta, -1, 0), again), False, True)
+    top, again = (Rest((quarters, 0, quarters * (pi / 2), beta - eta, -1, 0)) for quarters in (0, 4))
+    return Landscape(((top, Rest((2, 0, pi, -beta - eta, -1, 0)), again), False, True, None, 0.0))
 
 
 def landscape(beta, eta):
@@ -650,8 +714,10 @@ def offset_from(rest, angle, turns):
     return pick((abs(offset) <= blur) | (abs(offset) < epsilon() ** 9), 0, offset)
 
 
-class Clamp(NamedTuple):
+class Clamp(Record):
     """The clamp angle in a landscape: whole turns, and its offset from each direction without moment."""
+
+    __slots__ = ()
 
     turns: int
     offsets: tuple[mpf, ...]
@@ -666,33 +732,43 @@ def clamp_in(rests, angle):
         if not any_of(shift != 0):
             break
         turns = turns + shift
-    return Clamp(turns, offsets)
+    return Clamp((turns, offsets))
 
 
-class Ground(NamedTuple):
+class Ground(Record):
     """What the ranges of a rod are told by: its landscape and the clamp's offsets from the directions there.
 
-    drop: V(hill) − V(ridge); level: from the hill to the level of the ridge; height: V(ridge) − V(clamp). They are 0
-    where no ridge is lower than the hill.
+    drop: V(hill) − V(ridge); level: from the hill to the level of the ridge, depth: from there to the well; by_hill:
+    level is told by the hill, depth by the well if not; height: V(ridge) − V(clamp). They are 0 where no ridge is lower
+    than the hill.
     """
+
+    __slots__ = ()
 
     eta: mpf
     scene: Landscape
     at: tuple[mpf, ...]
     drop: mpf
     level: mpf
+    depth: mpf
+    by_hill: bool
     height: mpf
 
 
 def level_ground(eta, scene, at):
     """The ground without a ridge lower than the hill."""
-    return Ground(eta, scene, at, 0, 0, 0)
+    return Ground((eta, scene, at, 0, 0, 0, True, 0))
 
 
 def ridge_fall(beta, eta, hill, ridge):
     """V(hill) − V(ridge): the sine of half their distance times the slope of V between, as if it were a circle."""
     half, middle = (ridge.extra - hill.extra) / 2, pi / 2 + (hill.extra + ridge.extra) / 2
     return cos(half) * (2 * beta * sin(middle) - eta * sin(half) * sin(2 * (middle - 0.5 * pi)))
+
+
+def turn_to(start, end):
+    """The angle from one direction without moment to another, however near they are to each other."""
+    return (end.quarters - start.quarters) * (pi / 2) + (end.extra - start.extra)
 
 
 def fall_from_rest(eta, stiffness, double_cosine, double_sine, middle, half):
@@ -717,7 +793,7 @@ def fall(eta, rest, start, change):
 
 def pick_rest(condition, yes, no):
     """One or the other direction, number by number."""
-    return Rest(*(pick(condition, *pair) for pair in zip(yes, no, strict=True)))
+    return Rest(pick(condition, *pair) for pair in zip(yes, no, strict=True))
 
 
 def step_to(eta, rest, offset, goal):
@@ -763,15 +839,15 @@ def reach(eta, rest, amount, most, side):
 def ridge_ground(eta, scene, at, drop):
     """The ground with a lower ridge."""
     rests = scene.rests
-    down, above = rests[1].angle - rests[0].angle, fall(eta, rests[2], 0, rests[1].angle - rests[2].angle)
+    down, above = turn_to(rests[0], rests[1]), fall(eta, rests[2], 0, turn_to(rests[2], rests[1]))
     # Of a ridge that is next to its wells V tells at the hill nothing.
     by_hill = drop < above
     rest, amount = pick_rest(by_hill, rests[0], rests[1]), pick(by_hill, drop, above)
     distance = reach(eta, rest, amount, down, pick(by_hill, 1, -1))
-    level = pick(by_hill, distance, down - distance)
+    level, depth = pick(by_hill, distance, down - distance), pick(by_hill, down - distance, distance)
     # Near the far hill V says which is higher only by the distance from that hill.
     height = pick(at[2] < -at[4], fall(eta, rests[2], 0, at[2]), fall(eta, rests[4], 0, at[4]) - drop)
-    return Ground(eta, scene, at, drop, level, height)
+    return Ground((eta, scene, at, drop, level, depth, by_hill, height))
 
 
 def ground_of(beta, eta, scene, clamp):
@@ -791,13 +867,16 @@ def in_basin(at, first, inside, builders):
     return [(inside & (at[first + 1] <= 0), builders[0]), (inside & (at[first + 1] > 0), builders[1])]
 
 
-class Basin(NamedTuple):
+class Basin(Record):
     """What stops the rod and what it swings about: the hill that tips come from and the well below them, the hill
     that stops the motion and the last well before it, and the direction where it is slowest between its ends: the
     ridge that it passes, or the well.
 
-    far_rise: V(far) − V(hill). even: the motion is symmetric about its middle.
+    far_rise: V(far) − V(hill). even: the motion is symmetric about its middle. whole: far is the hill a turn on.
+    shoulder, moment: of a landscape in which a ridge is nearly there.
     """
+
+    __slots__ = ()
 
     hill: Rest
     well: Rest
@@ -807,14 +886,19 @@ class Basin(NamedTuple):
     far_rise: mpf
     passes: bool
     even: bool
+    whole: bool
+    shoulder: Rest | None
+    moment: mpf
 
 
-class Piece(NamedTuple):
+class Piece(Record):
     """Tip angles from low to low + width in a basin; angles as differences, told without loss.
 
     low_kind: 'hill', or 'level', where V is that of the ridge. high_kind: 'clamp', the clamp angle itself; 'turn', the
     angle from which the rod turns back at the clamp angle; 'level'.
     """
+
+    __slots__ = ()
 
     basin: Basin
     low_kind: str
@@ -827,6 +911,9 @@ class Piece(NamedTuple):
     clamp_rest: Rest  # the direction next to the clamp
     clamp_offset: mpf  # clamp − that direction
     far_gap: mpf  # far − clamp
+    beyond_well: mpf  # clamp − far_well
+    past_hill: mpf  # clamp − hill
+    past_well: mpf  # clamp − well
 
 
 def piece_of(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, at):
@@ -837,8 +924,9 @@ def piece_of(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_ga
         closer = abs(distance) < abs(offset)
         if any_of(closer):
             rest, offset = pick_rest(closer, other, rest), pick(closer, distance, offset)
-    last = at[len(rests) - 1]
-    return Piece(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, rest, offset, -last)
+    beyond, last = at[len(rests) - 2 : len(rests)]
+    ends = low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap
+    return Piece((basin, *ends, rest, offset, -last, beyond, at[0], at[1]))
 
 
 def from_hill_to_clamp(basin, at):
@@ -850,8 +938,10 @@ def basin_of(ground, first):
     """The basin between two neighbouring hills."""
     scene = ground.scene
     hill, well, far = scene.rests[first : first + 3]
-    even = scene.even and (scene.level or len(scene.rests) == 3)
-    return Basin(hill, well, far, well, well, ground.drop if first else 0, False, even)
+    whole = len(scene.rests) == 3
+    even = scene.even and (scene.level or whole)
+    rise, beside = ground.drop if first else 0, (scene.shoulder, scene.moment)
+    return Basin((hill, well, far, well, well, rise, False, even, whole, *beside))
 
 
 def first_clamp(ground):
@@ -861,7 +951,7 @@ def first_clamp(ground):
 
 def from_hill_to_turn(eta, basin, at):
     """From a hill to where the rod turns back at a clamp beyond the well."""
-    down, depth = basin.well.angle - basin.hill.angle, at[1]
+    down, depth = turn_to(basin.hill, basin.well), at[1]
     width = -at[2]
     if not basin.even:
         above = -fall(eta, basin.well, 0, at[1])
@@ -891,7 +981,7 @@ def last_turn(ground):
 def over_ridge(ground):
     """What stops a motion that passes the ridge."""
     hill, well, ridge, second, far = ground.scene.rests
-    return Basin(hill, well, far, second, ridge, 0, True, ground.scene.even)
+    return Basin((hill, well, far, second, ridge, 0, True, ground.scene.even, True, None, 0.0))
 
 
 def pass_clamp(ground):
@@ -902,8 +992,9 @@ def pass_clamp(ground):
 
 def pass_level(ground):
     """From the highest hill to the level of the ridge."""
-    over, level, at = over_ridge(ground), ground.level, ground.at
-    return piece_of(over, "hill", "level", 0, level, over.well.angle - over.hill.angle - level, at[0] - level, 0, at)
+    level, depth, at = ground.level, ground.depth, ground.at
+    gap = pick(ground.by_hill, at[0] - level, at[1] + depth)
+    return piece_of(over_ridge(ground), "hill", "level", 0, level, depth, gap, 0, at)
 
 
 def moment_from_rest(eta, stiffness, double_cosine, double_sine, offset):
@@ -916,18 +1007,19 @@ def slope(eta, rest, offset):
     return moment_from_rest(eta, rest.stiffness, rest.double_cosine, rest.double_sine, offset)
 
 
-def onward(eta, rest, start, amount, rough, wanted):
-    """How far beyond ``start``, an offset from a direction without moment, V has fallen by ``amount``.
+def onward(eta, rest, start, amount, rough, wanted, moment=0):
+    """How far beyond ``start``, an offset from a direction of that moment, V has fallen by ``amount``.
 
     The rough value is good to rounding of the angles; where little of it is left, the slope of V at the start gives a
     better one. Newton's method does the rest, until all that are wanted are found.
     """
-    steep = slope(eta, rest, start)
+    steep = slope(eta, rest, start) + moment * cos(start)
     told = (abs(rough) > mpf("0.001") * abs(start)) | (steep == 0)
     distance = pick(told, rough, amount / pick(told, 1, steep))
     for _ in range(40):
-        force = slope(eta, rest, start + distance)
-        step = (fall(eta, rest, start, distance) - amount) / pick(force == 0, 1, force)
+        force = slope(eta, rest, start + distance) + moment * cos(start + distance)
+        fallen = fall(eta, rest, start, distance) + 2 * moment * cos(start + distance / 2) * sin(distance / 2)
+        step = (fallen - amount) / pick(force == 0, 1, force)
         away = abs(distance - step) > pi
         stuck = away & (distance == rough)
         distance = pick(away, rough, distance - step)
@@ -939,12 +1031,21 @@ def onward(eta, rest, start, amount, rough, wanted):
 def pass_turn(ground):
     """From the highest hill to where the rod turns back at a clamp above the level of the ridge, beyond it."""
     eta, over, level, at = ground.eta, over_ridge(ground), ground.level, ground.at
-    down = over.well.angle - over.hill.angle
-    width = -at[4] if over.even else reach(eta, over.hill, fall(eta, over.far, 0, at[4]), down, 1)
+    down, below = turn_to(over.hill, over.well), fall(eta, over.far, 0, at[4])
+    # V of the clamp above the first well: above the ridge, and the ridge above the well.
+    above = fall(eta, over.axis, 0, turn_to(over.axis, over.well)) - ground.height
+    by_hill = below < above
+    rest, amount = pick_rest(by_hill, over.hill, over.well), pick(by_hill, below, above)
+    distance = reach(eta, rest, amount, down, pick(by_hill, 1, -1))
+    width, depth = pick(by_hill, distance, down - distance), pick(by_hill, down - distance, distance)
+    if over.even:
+        width = -at[4]
     # Towards the hill V is flat and tells little, but there the angles tell all.
-    near = width >= level / 2
-    gap = pick(near, -onward(eta, over.hill, level, ground.height, width - level, near), level - width)
-    return piece_of(over, "hill", "turn", 0, width, down - width, at[0] - width, gap, at)
+    near, apart = width >= level / 2, pick(by_hill, level - width, depth - ground.depth)
+    start = pick(ground.by_hill, level, -ground.depth)
+    rest = pick_rest(ground.by_hill, over.hill, over.well)
+    gap = pick(near, -onward(eta, rest, start, ground.height, -apart, near), apart)
+    return piece_of(over, "hill", "turn", 0, width, depth, pick(by_hill, at[0] - width, at[1] + depth), gap, at)
 
 
 def level_clamp(ground):
@@ -956,7 +1057,7 @@ def level_clamp(ground):
 def level_turn(ground):
     """From the level of the ridge to where the rod turns back at the clamp, before the ridge."""
     eta, basin, level, at = ground.eta, basin_of(ground, 0), ground.level, ground.at
-    down = basin.well.angle - basin.hill.angle
+    down = turn_to(basin.hill, basin.well)
     above, below = -fall(eta, basin.well, 0, at[1]), fall(eta, basin.far, 0, at[2])
     from_well = reach(eta, basin.well, above, down, -1)
     # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
@@ -996,12 +1097,14 @@ def slowness(hill):
     return 1 / sqrt(hill.stiffness) if hill.stiffness > 0 else 0
 
 
-class Delay(NamedTuple):
+class Delay(Record):
     """By how much a motion lasts longer when the place goes deeper by one, where that is all that changes.
 
     Near an end the rod is straight for long along the directions at which the motion nearly rests: at the tip, in the
     middle, and at the far turning point. arrival: the share of ``middle`` before the first arrival.
     """
+
+    __slots__ = ()
 
     deepest: mpf
     tip: mpf
@@ -1013,7 +1116,7 @@ class Delay(NamedTuple):
 def ridge_offset(piece):
     """Clamp less ridge, for a motion that passes the ridge."""
     ridge, rest = piece.basin.axis, piece.clamp_rest
-    return piece.clamp_offset if rest.angle == ridge.angle else rest.angle - ridge.angle
+    return piece.clamp_offset if rest.angle == ridge.angle else turn_to(ridge, rest)
 
 
 def delays(piece):
@@ -1023,15 +1126,15 @@ def delays(piece):
         depth = 2 * depth / 3
     # With next to no moment at the clamp a rod is straight but for an offset whose square would underflow.
     straight = piece.high_kind == "clamp" and abs(piece.clamp_offset) < epsilon() ** 5
-    far, none = slowness(basin.far), Delay(2 * depth if straight else depth, 0, 0, 0, 0)
+    far, none = slowness(basin.far), Delay((2 * depth if straight else depth, 0, 0, 0, 0))
     if piece.low_kind == "level":
-        return Delay(depth, 0, 0, far / 2, 0), none
-    low = Delay(depth, slowness(basin.hill), 0, far if basin.far_rise == 0 else 0, 0)
+        return Delay((depth, 0, 0, far / 2, 0)), none
+    low = Delay((depth, slowness(basin.hill), 0, far if basin.far_rise == 0 else 0, 0))
     if piece.high_kind != "level":
         return low, none
     ridge = slowness(basin.axis)
     behind = ridge_offset(piece)
-    return low, Delay(depth, 0, ridge, 0, ridge if behind > 0 else ridge / 2 if behind == 0 else 0)
+    return low, Delay((depth, 0, ridge, 0, ridge if behind > 0 else ridge / 2 if behind == 0 else 0))
 
 
 def reach_either(eta, hill, well, by_hill, amount, most):
@@ -1044,50 +1147,77 @@ def reach_either(eta, hill, well, by_hill, amount, most):
     return reach(eta, rest, amount, most, pick(by_hill, -1, 1))
 
 
-def beyond_clamp(eta, piece, drop, rough):
+def wrapped(angle):
+    """The angle less whole turns, between −π and π."""
+    return angle - 2 * pi * floor(angle / (2 * pi) + 0.5)
+
+
+def beyond_clamp(eta, piece, rise, drop, rough):
     """How far the motion goes beyond the clamp, when the tip is ``drop`` below the one that turns there.
 
     V falls by the same amount on both sides. The rough value is as good as its difference to the clamp's distance
     from a hill or a well allows.
     """
-    basin, rest, start = piece.basin, piece.clamp_rest, piece.clamp_offset
-    high = -piece.high_depth
-    amount = fall(eta, basin.well, high - drop, drop)
+    basin, rest, start, moment = piece.basin, piece.clamp_rest, piece.clamp_offset, 0
+    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
+    upper = from_hill < depth
+    amount = fall(eta, pick_rest(upper, basin.hill, basin.well), pick(upper, from_hill, -depth), drop)
     far = rough > 0.25 * abs(start)
-    better = onward(eta, rest, start, -amount, rough, far == 0)
+    if basin.shoulder is not None:
+        apart = wrapped(rest.angle + start - basin.shoulder.angle)
+        near = 2 * abs(apart) < abs(start)
+        rest, start = pick_rest(near, basin.shoulder, rest), pick(near, apart, start)
+        moment, far = pick(near, basin.moment, 0), pick(near, rough > 0.25, far)
+    better = onward(eta, rest, start, -amount, rough, far == 0, moment)
     # Newton's method leaves a place where V is nearly level for one far away.
     return pick(far | (abs(better - rough) > mpf("0.01")), rough, better)
 
 
-def far_side(eta, piece, rise, drop, depth, done):
+def beside_shoulder(eta, basin, angle, offset, moment):
+    """θ″ at an angle, by the shoulder of V if that is nearer than the direction by whose offset it was told."""
+    if basin.shoulder is None:
+        return moment
+    apart = wrapped(angle - basin.shoulder.angle)
+    told = basin.moment * cos(apart) + slope(eta, basin.shoulder, apart)
+    return pick(2 * abs(apart) < abs(offset), told, moment)
+
+
+def least_moment(basin):
+    """What rounding leaves at least of a moment, by the distance from the direction that tells it: where a hill and a
+    well all but meet, and are not among the directions that are told, it would leave nothing, or less."""
+    return epsilon() ** 2 if basin.passes or not basin.whole else 4 * epsilon()
+
+
+def far_side(eta, piece, rise, drop, depth, done, height):
     """Half the width of the motion, how far it goes on beyond the clamp, and the moment where it turns."""
     basin = piece.basin
     hill, well, far, far_well = basin.hill, basin.well, basin.far, basin.far_well
-    down = far.angle - far_well.angle
+    down = turn_to(far_well, far)
     if piece.low_kind == "level":
         below = fall(eta, hill, piece.low_offset, rise)
     else:
         below = basin.far_rise + fall(eta, hill, 0, rise)
     if basin.passes:
-        # Not below the ridge, however near it is to the well behind it.
-        ridge = fall(eta, basin.axis, 0, far_well.angle - basin.axis.angle)
-        above = larger(-fall(eta, far_well, 0, down) - below, ridge)
+        # Above the ridge by its height, and the ridge above the well behind it.
+        above = height + fall(eta, basin.axis, 0, turn_to(basin.axis, far_well))
     else:
         above = -fall(eta, well, 0, -depth)
     by_hill = below < above
     distance = reach_either(eta, far, far_well, by_hill, pick(by_hill, below, above), down)
     turn = pick(by_hill, down - distance, distance)  # far turning point − far_well
-    # clamp − far_well
-    clamp_turn = down - piece.far_gap if basin.passes else piece.clamp_gap - piece.high_depth
-    left = pick(by_hill, piece.far_gap - distance, distance - clamp_turn)
-    if basin.passes:
-        half_width = (turn + depth + (far_well.angle - well.angle)) / 2
+    left = pick(by_hill, piece.far_gap - distance, distance - piece.beyond_well)
+    if piece.high_kind == "turn":
+        left = larger(beyond_clamp(eta, piece, rise, drop, left), 0)
+    if basin.shoulder is not None:
+        # V may be so nearly level there that only from the clamp is it told where the motion turns.
+        turn, half_width = piece.beyond_well + left, (done + left) / 2
+    elif basin.passes:
+        half_width = (turn + depth + turn_to(well, far_well)) / 2
     else:
         half_width = (turn + depth) / 2
     far_moment = pick(by_hill, slope(eta, far, -distance), slope(eta, far_well, distance)) * -1
-    far_moment = larger(far_moment, 4 * epsilon() * distance)
-    if piece.high_kind == "turn":
-        left = larger(beyond_clamp(eta, piece, drop, left), 0)
+    far_moment = -beside_shoulder(eta, basin, far_well.angle + turn, distance, -far_moment)
+    far_moment = larger(far_moment, least_moment(basin) * distance)
     return half_width, left, far_moment, pick(by_hill, distance, down - distance)
 
 
@@ -1098,52 +1228,51 @@ def unevenness(eta, middle, sine, near, far):
     return pick(apart, sqrt(far) - sqrt(near), by_turns)
 
 
-def wrapped(angle):
-    """The angle less whole turns, between −π and π."""
-    return angle - 2 * pi * floor(angle / (2 * pi) + 0.5)
-
-
-def above_field(eta, basin, middle, half_width, height):
+def above_field(eta, basin, offset, turn, height):
     """``mean`` less η where they are near each other: 2(V(tip) − V)/(cos(θ − middle) − cos(half_width)) at the θ at
-    which it is least, which lies then near the ridge or the well. height: from there to the tip."""
-    shift = wrapped(2 * (0.5 * pi - middle))
-    offset = wrapped(middle + shift - basin.axis.angle)
+    which it is least, which lies then near the ridge or the well, at an offset from it.
+
+    turn: half of what it is divided by. height: V(tip) less that of the ridge or the well.
+    """
     # As near the ridge as rounding it is nearer still: it is there to the second order in the height.
     offset = pick(abs(offset) < 32 * spacing(offset), 0, offset)
-    outer, inner = sin(half_width / 2), sin(shift / 2)
-    turn = outer * outer - inner * inner
     return (height + fall(eta, basin.axis, 0, offset)) / pick(turn == 0, 1, turn)
 
 
-def mean_less_field(eta, basin, middle, half_width, double, near, far, height, mean):
+def mean_less_field(eta, basin, centre, half_width, near, far, height, mean):
     """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
     level."""
     apart = mean - eta
     close = apart <= mpf("0.1") * eta
     if any_of(close):
-        ahead, behind = sin(half_width / 2 + double / 2), sin(half_width / 2 - double / 2)
+        # 2(axis − α), and 2(middle − α).
+        axis = atan2(basin.axis.double_sine, basin.axis.double_cosine)
+        double = wrapped(axis + 2 * centre)
+        ahead, behind = sin((half_width + double) / 2), sin((half_width - double) / 2)
         by_far, by_near = far - 2 * eta * ahead * ahead, near - 2 * eta * behind * behind
         known = pick(2 * by_far > far, by_far, by_near)
         far_off = close & (2 * by_far <= far) & (2 * by_near <= near)
         if any_of(far_off):
-            known = pick(far_off, above_field(eta, basin, middle, half_width, height), known)
+            # Not from a well that is far from where V is nearly level: there V tells least.
+            told, turn = pick(near < far, by_near, by_far), ahead * behind
+            there = above_field(eta, basin, wrapped(-axis - centre), turn, height)
+            known = pick(far_off, pick(height <= abs(turn) * eta * (abs(ahead) + abs(behind)), there, told), known)
         apart = pick(close, known, apart)
     # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.
     least = larger(height, epsilon() ** 19) if basin.passes else epsilon() * pick(near < far, near, far) / 4
     return larger(apart, least)
 
 
-def rates(beta, eta, basin, tip, half_width, sine, near, far, height):
-    """dχ/dσ at the ends and in the middle of the motion."""
-    middle, cosine = tip + half_width, cos(half_width)
-    double = 2 * (middle - 0.5 * pi)
-    cos_middle, cos_double = cos(middle), cos(double)
+def rates(beta, eta, basin, centre, half_width, sine, near, far, height):
+    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle."""
+    middle, cosine = basin.axis.angle + centre, cos(half_width)
+    cos_middle, cos_double = cos(middle), cos(2 * (middle - 0.5 * pi))
     product = sqrt(near) * sqrt(far)
     excess = -(2 * beta * cos_middle * cosine + eta * cos_double * (1 + cosine * cosine))
     split, rate = excess < 0, sqrt(product + larger(excess, 0))
     if any_of(split):
         mean = -(2 * beta * cos_middle + eta * cosine * cos_double)
-        apart = mean_less_field(eta, basin, middle, half_width, double, near, far, height, mean)
+        apart = mean_less_field(eta, basin, centre, half_width, near, far, height, mean)
         rate = pick(split, sine * sqrt(apart * (mean + eta) / pick(split, product - excess, 1)), rate)
     return sqrt(product / 2), rate / 2
 
@@ -1164,18 +1293,19 @@ def motion_at(beta, eta, piece: Piece, place):
     # How far V falls from the tip to the well, or to the level of a ridge that the motion passes.
     change = (drop + piece.level_gap if basin.passes else depth) / 2
     height = fall_from_rest(eta, stiffness, double_cosine, double_sine, offset + change, change)
-    done = piece.clamp_gap + drop
+    # Near the high end the clamp is told from there, else as the tip is: the clamp's own distances are exact.
+    done, apart = piece.clamp_gap + drop, pick(upper, piece.past_hill - from_hill, piece.past_well + depth)
+    done = pick(done < 0.5 * pick(upper, from_hill, abs(piece.past_well)), done, apart)
     if basin.even:
-        half_width = depth + (basin.axis.angle - well.angle)
+        half_width = depth + turn_to(well, basin.axis)
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
         far_moment, far_distance = near_moment, from_hill
     else:
-        half_width, left, far_moment, far_distance = far_side(eta, piece, rise, drop, depth, done)
-        # Where a hill and a well nearly meet, rounding leaves nothing, or less, of a moment.
-        near_moment = larger(near_moment, 4 * epsilon() * abs(offset))
+        half_width, left, far_moment, far_distance = far_side(eta, piece, rise, drop, depth, done, height)
+        near_moment = beside_shoulder(eta, basin, tip, offset, near_moment)
+        near_moment = larger(near_moment, least_moment(basin) * abs(offset))
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
-    whole_turn = basin.far.quarters - hill.quarters == 4 and basin.far.extra == hill.extra
-    lack = (from_hill + far_distance) / 2 if whole_turn else pi - half_width
+    lack = (from_hill + far_distance) / 2 if basin.whole else pi - half_width
     sine = sin(pick(lack < half_width, lack, half_width))
     near, far = 2 * near_moment / sine, 2 * far_moment / sine
     uneven = 0 if basin.even else unevenness(eta, tip + half_width, sine, near, far)
@@ -1183,23 +1313,26 @@ def motion_at(beta, eta, piece: Piece, place):
     done_sine = sin(pick(done > pi, lack + left / 2, done / 2))
     left_sine = sin(pick(left > pi, lack + done / 2, left / 2))
     half_cosine = sin(lack / 2)
-    end, middle = rates(beta, eta, basin, tip, half_width, sine, near, far, height)
+    centre = half_width - depth - turn_to(well, basin.axis)
+    end, middle = rates(beta, eta, basin, centre, half_width, sine, near, far, height)
     return Motion(
-        tip,
-        half_width,
-        done,
-        left,
-        near_moment,
-        far_moment,
-        near,
-        far,
-        end,
-        middle,
-        sine,
-        half_cosine,
-        uneven,
-        done_sine,
-        left_sine,
+        (
+            tip,
+            half_width,
+            done,
+            left,
+            near_moment,
+            far_moment,
+            near,
+            far,
+            end,
+            middle,
+            sine,
+            half_cosine,
+            uneven,
+            done_sine,
+            left_sine,
+        )
     )
 
 
@@ -1210,15 +1343,17 @@ def stay_at(beta, eta, piece, ends, place):
     depth = min(abs(place), delay.deepest)
     more = abs(place) - depth
     motion = motion_at(beta, eta, piece, -depth if place < 0 else depth)
-    return Stay(motion, more * delay.tip, more * delay.middle, more * delay.far, more * delay.arrival)
+    return Stay((motion, more * delay.tip, more * delay.middle, more * delay.far, more * delay.arrival))
 
 
-class Phase(NamedTuple):
+class Phase(Record):
     """Where on its half-swing the motion meets the clamp.
 
     The length from the tip is ∫dψ/√(a² cos²ψ + b² sin²ψ) from 0 to ψ, with a and b half of ``end`` and ``middle``; the
     half-swing ends at ψ = π/2. whole, delta: what the speed there follows from.
     """
+
+    __slots__ = ()
 
     square: mpf  # sin²ψ
     rest: mpf  # cos²ψ
@@ -1241,7 +1376,7 @@ def phase_of(motion):
     delta = hypot(end * cosine, motion.middle * sqrt(square))
     half = pick(first, half_square(end, square, size, delta), half_square_beyond(end, size, delta))
     rest = pick(first, half_rest(end, size, delta), half_rest_beyond(end, motion.middle, square, size, delta))
-    return Phase(half, rest, whole, delta)
+    return Phase((half, rest, whole, delta))
 
 
 def lengths(a, b, square, rest):
@@ -1260,11 +1395,13 @@ def lengths(a, b, square, rest):
     return pi / (2 * mean), atan2(sqrt(square), sqrt(rest)) / mean
 
 
-class Sample(NamedTuple):
+class Sample(Record):
     """Half-swing and first arrival at a place of a piece, and of what they are: the motion and its phase at the clamp.
 
     The motion alone has the half-swing and the arrival without the lengths for which it stays anywhere.
     """
+
+    __slots__ = ()
 
     place: mpf
     swing: mpf
@@ -1281,16 +1418,18 @@ def sample_at(beta, eta, piece, ends, place):
     phase = phase_of(motion)
     regular = swing, arrival = lengths(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
     swing, arrival = swing + stay.tip + stay.middle + stay.far, arrival + stay.tip + stay.arrival
-    return Sample(place, swing, arrival, stay, phase, regular)
+    return Sample((place, swing, arrival, stay, phase, regular))
 
 
 def least_arrival(beta, eta, piece, place):
     """A length before which no motion from a place, or from a lower one, arrives.
 
-    θ″ is nowhere more than β + η/2, and at an offset from the hill no more than β + η times that: a motion that has
-    the lesser of these two gets ahead of it.
+    θ″ is nowhere more than β + η/2, and at an offset from the hill no more than β + η times that, or than its stiffness
+    times that where the field is along it: a motion that has the lesser of these two gets ahead of it.
     """
-    steep, most = beta + eta, beta + eta / 2
+    hill = piece.basin.hill
+    # β + η cos u and η cos u − β by sin u: both are largest at u = 0.
+    steep, most = hill.stiffness if hill.double_cosine == 1 else beta + eta, beta + eta / 2
     share = 1 / (1 + exp(-max(place, -deepest(piece.width))))
     offset = piece.low_offset + piece.width * share
     clamp = piece.low_offset + piece.width + piece.clamp_gap
@@ -1360,14 +1499,14 @@ def ridge_couple(beta, eta, field_angle, x):
 def places(beta, eta, length, piece):
     """Places to begin with, closer around the level at which the motion meets a ridge that is not quite there."""
     found, basin = grid(beta, eta, length, piece), piece.basin
-    if basin.even or basin.passes or piece.low_kind == "level" or basin.far.quarters - basin.hill.quarters != 4:
+    if basin.even or basin.passes or piece.low_kind == "level" or not basin.whole:
         return found
     angle = abs(0.5 * pi)
     cusp = angle + pi + astroid_cusp(angle)
     # How far η is below the value at which the ridge would appear.
     missing = max(-ridge_couple(beta, eta, angle, astroid_cusp(angle)) / (beta + eta), epsilon())
     cusp = cusp
-    down = basin.well.angle - basin.hill.angle
+    down = turn_to(basin.hill, basin.well)
     rise = reach(eta, basin.hill, fall(eta, basin.hill, 0, cusp - basin.hill.angle), down, 1)
     if missing > mpf("0.3") or not 0 < rise < piece.width:
         return found
@@ -1385,59 +1524,64 @@ def arrives_convexly(piece):
     return known and piece.clamp_gap > piece.high_depth
 
 
-def convex_bound(found, gap, fallen):
-    """What a convex arrival is nowhere less than in a gap between samples: the chords beside it, carried on."""
-    one, other = found[gap], found[gap + 1]
-    width, bound = fallen(one, other), -inf
-    for near, far in ((gap, gap - 1), (gap + 1, gap + 2)):
-        if 0 <= far < len(found):
-            beside = fallen(found[min(near, far)], found[max(near, far)])
+def ends_of(found, places, gap):
+    """The places between which a gap lies: before the sample of its number, or behind the last."""
+    return found[gap - 1].place if gap > 0 else places[0], found[gap].place if gap < len(found) else places[-1]
+
+
+def convex_bound(found, gap, width, fallen):
+    """What a convex arrival is nowhere less than in a gap before a sample: the chords beside it, carried on.
+
+    width: how far V falls from one end of the gap to the other.
+    """
+    bound = -inf
+    for near, far in ((gap - 1, gap - 2), (gap, gap + 1)):
+        if min(near, far) >= 0 and max(near, far) < len(found):
+            beside = abs(fallen(found[near].place, found[far].place))
             if beside > 0:
                 steep = (found[far].arrival - found[near].arrival) / beside
                 bound = max(bound, found[near].arrival - max(steep * width, 0))
     return bound
 
 
-def open_gap(found, fallen, length):
-    """The wider gap beside the least sample in which a convex arrival may be no longer than the length, or None."""
+def open_gap(found, places, fallen, length):
+    """The gap beside the least sample in which a convex arrival may be least and no longer than the length, or None."""
     least = min(range(len(found)), key=lambda k: found[k].arrival)
-    best, widest = None, 2 * sqrt(epsilon()) * (1 + abs(found[least].place))
-    for gap in (least - 1, least):
-        if 0 <= gap < len(found) - 1:
-            width = found[gap + 1].place - found[gap].place
-            if width > widest and convex_bound(found, gap, fallen) <= (1 + mpf("1e-09")) * length:
-                best, widest = gap, width
+    best, bound = None, (1 + mpf("1e-09")) * length
+    for gap in (least, least + 1):
+        low, high = ends_of(found, places, gap)
+        if high - low > 2 * sqrt(epsilon()) * (1 + abs(found[least].place)):
+            lowest = convex_bound(found, gap, fallen(low, high), fallen)
+            if lowest <= bound:
+                best, bound = gap, lowest
     return best
 
 
-def inner(places, one, other, always):
-    """The middle one of the places between two samples; where there is none, half way if ``always``, else None."""
-    inside = [place for place in places if one.place < place < other.place]
-    if inside:
-        return inside[len(inside) // 2]
-    return (one.place + other.place) / 2 if always else None
+def inside(places, low, high):
+    """The middle one of the places in a gap; where there is none, half way, or its end if that is one of all."""
+    within = [place for place in places if low < place < high]
+    if within:
+        return within[len(within) // 2]
+    return (low + high) / 2
 
 
 def valley(sample, places, fallen, length):
     """Samples on both sides of every crossing of a length that is shorter than a half-swing, for a convex arrival.
 
-    Without a crossing there may be none. fallen(one, other): how far V falls from the tip of a sample to the next.
+    Without a crossing there may be none. fallen(low, high): how far V falls between the tips at two places.
     """
-    found = [sample(place) for place in sorted({places[0], places[len(places) // 2], places[-1]})]
+    last = len(places) - 1
+    found = [sample(places[k]) for k in sorted({last // 4, last // 2, last - last // 4})]
     while min(item.arrival for item in found) > length:
-        gap = open_gap(found, fallen, length)
+        gap = open_gap(found, places, fallen, length)
         if gap is None:
             return []
-        found.insert(gap + 1, sample(inner(places, found[gap], found[gap + 1], True)))
-    done, todo = [found[0]], found[:0:-1]
-    while todo:
-        crossed = (done[-1].arrival > length) != (todo[-1].arrival > length)
-        place = inner(places, done[-1], todo[-1], False) if crossed else None
-        if place is None:
-            done.append(todo.pop())
-        else:
-            todo.append(sample(place))
-    return done
+        found.insert(gap, sample(inside(places, *ends_of(found, places, gap))))
+    while found[0].arrival <= length and found[0].place > places[0]:
+        found.insert(0, sample(max(place for place in places if place < found[0].place)))
+    while found[-1].arrival <= length and found[-1].place < places[-1]:
+        found.append(sample(min(place for place in places if place > found[-1].place)))
+    return found
 
 
 def bends(first, second, third, length):
@@ -1513,7 +1657,7 @@ def samples_on(beta, eta, length, piece, sample, short):
         return least_arrival(beta, eta, piece, place) > (1 + mpf("1e-09")) * length
 
     def fallen(one, other):
-        return fall_between(eta, piece, one.place, other.place)
+        return fall_between(eta, piece, one, other)
 
     if too_low(inf):
         return []
@@ -1537,7 +1681,10 @@ def between(samples, counts, k):
     turns = range(max(ceil(low), 0), max(ceil(high), 0))
     if not turns:
         return []
-    beside = samples[k - 2] if k > 1 else samples[-1] if len(samples) == k + 1 else samples[k + 1]
+    near = 4 * (samples[k].place - samples[k - 1].place)
+    beside = [samples[k - 2]] if k > 1 and samples[k - 1].place - samples[k - 2].place < near else []
+    if k + 1 < len(samples) and samples[k + 1].place - samples[k].place < near:
+        beside.append(samples[k + 1])
     return [(number, samples[k - 1], samples[k], beside) for number in turns]
 
 
@@ -1581,11 +1728,11 @@ def at_extremum(sample, triple, counts, length, sign):
     best = dip(sample, short, left, middle, right)
     if short(best) >= 0:
         return []
-    return [(goal, left, best, right), (goal, best, right, left)]
+    return [(goal, left, best, [right]), (goal, best, right, [left])]
 
 
 def brackets(sample, samples, counts, length, sign):
-    """(turns, sample, sample, a third) for every whole number that the count crosses between the two samples."""
+    """(turns, sample, sample, those beside) for every whole number that the count crosses between the two samples."""
     found = []
     for k in range(1, len(samples)):
         found += between(samples, counts, k)
@@ -1601,42 +1748,66 @@ def excess(item, turns, sign, length):
     return (2 * turns * item.swing if turns else 0) + sign * item.arrival - length
 
 
-def interpolated(a, b, c, value_a, value_b, value_c):
-    """Where on the way from a to b inverse quadratic interpolation puts the zero, or half way where it is unsafe."""
-    if value_c in (value_a, value_b):
-        return 0.5
-    x, y = (a - b) / (c - b), (value_a - value_b) / (value_c - value_b)
-    if x <= 0 or y * y >= x or (1 - y) * (1 - y) >= 1 - x:
-        return 0.5
-    share = value_a / (value_b - value_a) * value_c / (value_b - value_c)
-    share = share + (c - a) / (b - a) * value_a / (value_c - value_a) * value_b / (value_c - value_b)
-    return share if 0 < share < 1 else 0.5
+def with_node(nodes, parts, place, value):
+    """The places of a polynomial and its divided differences, with one more place in front, and no more than five."""
+    found = [value]
+    for k in range(min(len(nodes), 4)):
+        value = (value - parts[k]) / (place - nodes[k])
+        found.append(value)
+    return [place, *nodes[:4]], found
+
+
+def zero_near(nodes, parts):
+    """A zero of a polynomial near its first place; any number where there is none."""
+    last, before, third, fourth = (nodes + 2 * nodes[-1:])[:4]
+    value, slope, bend, twist, rest = (*parts, 0, 0, 0)[:5]
+    zero = last
+    for _ in range(3):
+        steep = slope + (zero - before) * (bend + (zero - third) * (twist + (zero - fourth) * rest))
+        if steep == 0:
+            break
+        zero = last - value / steep
+    return zero
 
 
 def bracketed_root(function, places, values, blur):
-    """A sign change of the function between the first two places, to rounding, by Chandrupatla's method (1997).
+    """A sign change of the function between the first two places, to rounding.
 
-    If there is a third place, it has a value, too. blur: a value that rounding may have made of zero.
+    By the zero of the polynomial through the last five places at which the function is known, or by halving where that
+    gains little. More places may be known than two. blur: a value that rounding may have made of zero.
     """
-    (a, b, *third), (value_a, value_b, *value_third) = places, values
-    fraction = interpolated(a, b, third[0], value_a, value_b, value_third[0]) if third else 0.5
+    nodes, parts = [], []
+    for k in range(len(places) - 1, -1, -1):
+        nodes, parts = with_node(nodes, parts, places[k], values[k])
+    (a, b, *_), (value_a, value_b, *_) = places, values
+    halve = False
     while True:
-        trial = a + fraction * (b - a)
+        if abs(value_b) < abs(value_a):
+            a, b, value_a, value_b = b, a, value_b, value_a
+        least, width = 2 * epsilon() * (1 + abs(a)), abs(b - a)
+        if 2 * least > width or abs(value_a) <= blur:
+            return a
+        share = 0.5 if halve else (zero_near(nodes, parts) - a) / (b - a)
+        if 2 * abs(share) * width < least and abs(value_a) < 16 * blur:
+            return a
+        if -mpf("0.05") < share < 0:  # rounding of the values puts the zero on the wrong side
+            share = -2 * share
+        share = max(least / width, share) if 0 <= share < 1 else 0.5
+        trial = a + min(1 - least / width, share) * (b - a)
         value = function(trial)
+        nodes, parts = with_node(nodes, parts, trial, value)
+        little = 4 * abs(value) > abs(value_a)
         if (value > 0) == (value_a > 0):
-            c, value_c = a, value_a
+            a, value_a = trial, value
         else:
-            c, value_c, b, value_b = b, value_b, a, value_a
-        a, value_a = trial, value
-        best, value_best = (a, value_a) if abs(value_a) < abs(value_b) else (b, value_b)
-        least = 2 * epsilon() * (1 + abs(best)) / abs(b - a)
-        if least > 0.5 or abs(value_best) <= blur:
-            return best
-        fraction = min(1 - least, max(least, interpolated(a, b, c, value_a, value_b, value_c)))
+            b, value_b = trial, value
+        halve = little and 2 * abs(b - a) > width
 
 
-class Crossing(NamedTuple):
+class Crossing(Record):
     """A tip whose rod has the right length, on branch 2·turns·H + sign·t; ``rising``: the branch grows with the tip."""
+
+    __slots__ = ()
 
     sample: Sample
     turns: int
@@ -1644,18 +1815,17 @@ class Crossing(NamedTuple):
     rising: bool
 
 
-def crossing(sample, turns, sign, length, before, after, beside):
-    """The crossing between two samples on either side of it; a third one beside them helps to start."""
+def crossing(sample, turns, sign, length, known):
+    """The crossing between the first two samples, on either side of it; those beside them help to start."""
     seen = {}
 
     def function(place):
         seen[place] = sample(place)
         return excess(seen[place], turns, sign, length)
 
-    known = (before, after, beside)
     values = [excess(item, turns, sign, length) for item in known]
     place = bracketed_root(function, [item.place for item in known], values, epsilon() * length)
-    return Crossing(seen.get(place) or sample(place), turns, sign, values[1] > values[0])
+    return Crossing((seen.get(place) or sample(place), turns, sign, values[1] > values[0]))
 
 
 def crossings(beta, eta, length, piece, most):
@@ -1674,7 +1844,7 @@ def crossings(beta, eta, length, piece, most):
         for turns, before, after, beside in brackets(sample, samples, counts, length, sign):
             # At least 2·turns − 1 conjugate points, or one more on the branch that has gone on.
             if (turns or sign > 0) and 2 * turns - (sign < 0) <= most:
-                found.append(crossing(sample, turns, sign, length, before, after, beside))
+                found.append(crossing(sample, turns, sign, length, (before, after, *beside)))
     return found
 
 
@@ -1688,6 +1858,12 @@ def index_of(crossing):
     swings = 2 * crossing.turns - (1 if crossing.sign < 0 else 0)
     positive = crossing.rising != (crossing.sign > 0)
     return swings if positive == (swings % 2 == 0) else swings + 1
+
+
+def heading_of(field_angle, motion):
+    """The direction of a motion's tip."""
+    double = 2 * (motion.tip - field_angle)
+    return Heading((cos(motion.tip), sin(motion.tip), cos(double), sin(double)))
 
 
 def rj_pair(x, product, root_sum, p, lift, less, twist):
@@ -1704,7 +1880,7 @@ def rj_pair(x, product, root_sum, p, lift, less, twist):
     target = (epsilon() / 4) ** 0.125
     scale, total = 1, 0
     while any_of(reach > target * scale * abs(mean)):
-        root, root_p = sqrt(x), complex_sqrt(p)
+        root, root_p = sqrt(x), sqrt(p)
         side, across = root_p * root_sum, root * root_sum
         plus, minus = lift + side, lift - side
         cancels = (abs(plus) < abs(minus)) & (scale == 1)
@@ -1727,13 +1903,13 @@ def rj_pair(x, product, root_sum, p, lift, less, twist):
     low = -3 * e2 / 14 + e3 / 6 + 9 * e2 * e2 / 88 - 3 * e4 / 22 - 9 * e2 * e3 / 52 + 3 * e5 / 26
     high = -e2 * e2 * e2 / 16 + 3 * e3 * e3 / 40 + 3 * e2 * e4 / 20 + 45 * e2 * e2 * e3 / 272
     high = high - 9 * (e3 * e4 + e2 * e5) / 68
-    return (1 + low + high) / (scale * mean * complex_sqrt(mean)) + 6 * total
+    return (1 + low + high) / (scale * mean * sqrt(mean)) + 6 * total
 
 
-def shift(eta, double_sine, double_cosine, motion, point, root, square, rest):
+def shift(eta, heading, motion, point, root, square, rest):
     """W as real and imaginary part: ∫e^{iθ} from the tip is e^{iφ}(σ + W)."""
     b, near, far = point.strength, sqrt(motion.near), sqrt(motion.far)
-    twist = mpc(rj_delta_real(eta, b, double_cosine), rj_delta_imag(eta, b, double_sine))
+    twist = mpc(rj_delta_real(eta, b, heading.double_cosine), rj_delta_imag(eta, b, heading.double_sine))
     lift = pair_lift(near, far, motion.uneven, motion.half_cosine, square, rest)
     pole, lifted, less = mpc(point.pole, -b), mpc(lift, -b), mpc(root, -b)
     third = rj_pair(point.one, point.product, point.root_sum, pole, lifted, less, twist)
@@ -1748,42 +1924,45 @@ def kink_at(first, second, point, root, q, m, square, rest):
     others = others_sum(q, root)
     gap = pole_gap(x, abs(x), others, others_product(b, m, root, others), product)
     far = arc_kink(square, delta, across, b, x, near_root, product)
-    return pick(x > 1, arc_kink_tip(first, second, delta, across, b, x, near_root, gap), far)
+    return pick(x > 0.25, arc_kink_tip(first, second, delta, across, b, x, near_root, gap), far)
 
 
 def second_kind(a, b, square, rest, arrival):
     """(b² − a²)∫sin²ψ over the same range as ``arrival``, the length, by the same transformation (DLMF 19.8.19)."""
-    limit, more, weight, growth = 2 * epsilon() ** 0.5, any_of(a > 0), 1, 0
+    limit, more, weight, growth = epsilon() ** 0.5, any_of(a > 0), 1, 0
+    gap = a - b
     while more:
-        more = any_of(abs(a - b) > limit * a)
+        more = any_of(abs(gap) > limit * a)
         delta = phase_rate(a, b, square, rest)
-        growth = growth - weight * second_kind_step(a, b, square, rest, delta, arrival)
         total, below = a + b, a + delta
+        growth = growth - weight * second_kind_step(total, gap, below, square, rest, arrival)
         square, rest = gauss_square(square, total, below), gauss_rest(a, b, square, rest, delta, below)
         a, b, weight = total / 2, sqrt(a * b), 2 * weight
+        gap = gauss_gap(gap, a + b)  # a difference would lose what the weight brings out
     return growth
 
 
-def arc_to(beta, eta, motion, point, square, rest, extent):
+def arc_to(beta, eta, heading, motion, point, square, rest, extent):
     """The arc from the tip to a point, at ψ, of the given length."""
-    sine, cosine, lean = sin(motion.tip), cos(motion.tip), motion.tip - 0.5 * pi
-    double_sine, double_cosine = sin(2 * lean), cos(2 * lean)
     root = far_root(motion.near, cos(motion.half_width))
-    w_re, w_im = shift(eta, double_sine, double_cosine, motion, point, root, square, rest)
-    y, z = arc_y(sine, cosine, extent, w_re, w_im), arc_z(sine, cosine, extent, w_re, w_im)
+    w_re, w_im = shift(eta, heading, motion, point, root, square, rest)
+    y, z = arc_y(heading.sine, heading.cosine, w_re, w_im), arc_z(heading.sine, heading.cosine, w_re, w_im)
     first, second = motion.end / 2, motion.middle / 2
-    q, m = rest_stiffness(beta, eta, cosine, double_cosine), tip_cubic(beta, eta, sine, double_sine)
+    q = rest_stiffness(beta, eta, heading.cosine, heading.double_cosine)
+    m = tip_cubic(beta, eta, heading.sine, heading.double_sine)
     kink = kink_at(first, second, point, root, q, m, square, rest)
     growth = second_kind(first, second, square, rest, extent)
-    return Arc(y, z, arc_square(beta, eta, cosine, cos(lean), first, root, extent, y, kink, growth))
+    return Arc((y, z, arc_square(beta, first, root, extent, y, kink, growth)))
 
 
-class Point(NamedTuple):
+class Point(Record):
     """A point of a motion by ℘ − c = x and ℘ − e at its three half-period values.
 
     one: ℘ − e₁, with e₁ that of the far turning point. product, root_sum: √(℘ − e₂)√(℘ − e₃) and √(℘ − e₂) + √(℘ − e₃),
     real also where e₂ and e₃ are a complex pair.
     """
+
+    __slots__ = ()
 
     strength: mpf  # b
     pole: mpf  # x
@@ -1796,16 +1975,20 @@ def far_point(motion):
     """The far turning point."""
     b = strength(motion.near_moment)
     pole = point_pole(b, motion.sine, cos(motion.half_width))
-    return Point(b, pole, 0, far_pair_root(motion.end), motion.middle)
+    return Point((b, pole, 0, far_pair_root(motion.end), motion.middle))
 
 
-def with_stays(eta, arc, stay, middle, far, basin):
-    """An arc with the straight lengths along the directions at which the motion nearly rests."""
+def with_stays(rod, heading, arc, basin, middle, far):
+    """An arc with the straight lengths along the ridge and the far hill, at which the motion nearly rests.
+
+    Those along the tip's direction change nothing.
+    """
     y, z, square = arc
-    for angle, extent in ((stay.motion.tip, stay.tip), (basin.axis.angle, middle), (basin.far.angle, far)):
-        aligned = cos(angle - 0.5 * pi)
-        y, z, square = y + extent * cos(angle), z + extent * sin(angle), square + extent * eta * aligned * aligned
-    return Arc(y, z, square)
+    for angle, extent in ((basin.axis.angle, middle), (basin.far.angle, far)):
+        turned = rod.eta * (cos(2 * (angle - 0.5 * pi)) - heading.double_cosine) / 2
+        y, z = y + extent * (cos(angle) - heading.cosine), z + extent * (sin(angle) - heading.sine)
+        square = square + extent * turned
+    return Arc((y, z, square))
 
 
 def clamp_point(motion, phase):
@@ -1816,7 +1999,40 @@ def clamp_point(motion, phase):
     delta = phase_rate(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
     # 2Δ/sin ψ is no less than ``middle``, the square of which may underflow.
     root_sum = larger(pair_root_sum(phase.square, delta), motion.middle)
-    return Point(b, point_pole(b, done, cos(motion.done / 2)), one, product, root_sum)
+    return Point((b, point_pole(b, done, cos(motion.done / 2)), one, product, root_sum))
+
+
+def sent_back(motion):
+    """The motion from its far turning point back to the tip, as the mirror at the y axis shows it.
+
+    A clamp at the turning point itself, where the motion has no point by ℘, is a little before it.
+    """
+    return motion._replace(
+        tip=-(motion.tip + 2 * motion.half_width),
+        done=motion.left,
+        left=motion.done,
+        near_moment=motion.far_moment,
+        far_moment=motion.near_moment,
+        near=motion.far,
+        far=motion.near,
+        uneven=-motion.uneven,
+        done_sine=larger(motion.left_sine, epsilon() ** 6),
+        left_sine=motion.done_sine,
+    )
+
+
+def arc_from_far(eta, heading, there, arc, extent):
+    """The arc of a motion turned back, whose heading is ``there``, as what departs from the tip's direction."""
+    y, z = arc.y + extent * (there.cosine - heading.cosine), arc.z + extent * (there.sine + heading.sine)
+    return Arc((y, -z, arc.square + extent * eta * (there.double_cosine - heading.double_cosine) / 2))
+
+
+def last_stretch(rod, heading, motion, extent):
+    """The arc from the last turning point to the clamp, of a rod that ends on its way back; extent: its length."""
+    back = sent_back(motion)
+    there, phase = heading_of(-0.5 * pi, back), phase_of(back)
+    arc = arc_to(rod.beta, rod.eta, there, back, clamp_point(back, phase), phase.square, phase.rest, extent)
+    return arc_from_far(rod.eta, heading, there, arc, extent)
 
 
 def bent_rod(rod, turns, piece, crossing, index):
@@ -1824,44 +2040,55 @@ def bent_rod(rod, turns, piece, crossing, index):
     beta, eta, length = rod.beta, rod.eta, rod.length
     stay, phase, (swing, arrival) = crossing.sample.stay, crossing.sample.phase, crossing.sample.regular
     motion, basin = stay.motion, piece.basin
-    whole = Arc(0, 0, 0)  # not asked for within the first half-swing
+    heading = heading_of(0.5 * pi, motion)
+    whole = Arc((0, 0, 0))  # not asked for within the first half-swing
     if crossing.turns:
-        whole = arc_to(beta, eta, motion, far_point(motion), 1, 0, swing)
-        whole = with_stays(eta, whole, stay, stay.middle, stay.far, basin)
-    part = arc_to(beta, eta, motion, clamp_point(motion, phase), phase.square, phase.rest, arrival)
-    part = with_stays(eta, part, stay, stay.arrival, 0, basin)
+        whole = arc_to(beta, eta, heading, motion, far_point(motion), 1, 0, swing)
+        whole = with_stays(rod, heading, whole, basin, stay.middle, stay.far)
     both, sign = 2 * crossing.turns, crossing.sign
-    y, z, square = (mpf(both * a + sign * b) for a, b in zip(whole, part, strict=True))
+    if sign > 0:
+        part = arc_to(beta, eta, heading, motion, clamp_point(motion, phase), phase.square, phase.rest, arrival)
+        part = with_stays(rod, heading, part, basin, stay.arrival, 0)
+    else:
+        part = last_stretch(rod, heading, motion, swing - arrival)
+        part = with_stays(rod, heading, part, basin, stay.middle - stay.arrival, stay.far)
+    through = both if sign > 0 else both - 1
+    arc = Arc(mpf(through * a + b) for a, b in zip(whole, part, strict=True))
     speed = phase.delta * phase.whole / (motion.end * motion.sine)
     speed = speed * sqrt(2 * motion.done_sine * motion.left_sine)
-    aligned = cos(motion.tip - 0.5 * pi)
-    gamma = 2 * beta * cos(motion.tip) + eta * aligned * aligned
-    energy = gamma * length / 2 - 2 * beta * y - square
+    gamma = 2 * beta * heading.cosine + eta * (1 + heading.double_cosine) / 2
+    energy = -gamma * length / 2 - 2 * beta * arc.y - arc.square
     scale = rod.scale
     first = arrival + stay.tip + stay.arrival
     # The length of the rod is better known than that of a half-swing.
     half_swing = (length - sign * first) / both if both else swing + stay.tip + stay.middle + stay.far
     return Equilibrium(
-        rod.side * (motion.tip + 2 * pi * turns),
-        -rod.side * sign * ldexp(speed, scale),
-        ldexp(gamma, 2 * scale),
-        ldexp(y, -scale),
-        rod.side * ldexp(z, -scale),
-        ldexp(energy, scale),
-        index,
-        Swing(
-            stay,
-            turns,
-            half_swing,
-            whole,
-            basin.axis.angle,
-            basin.far.angle,
-            both if sign > 0 else both - 1,
-            first,
-            arrival,
-            phase.square,
-            phase.rest,
-        ),
+        (
+            rod.side * plus_quarters(motion.tip, 4 * turns),
+            -rod.side * sign * ldexp(speed, scale),
+            ldexp(gamma, 2 * scale),
+            ldexp(length * heading.cosine + arc.y, -scale),
+            rod.side * ldexp(length * heading.sine + arc.z, -scale),
+            ldexp(energy, scale),
+            index,
+            Swing(
+                (
+                    stay,
+                    turns,
+                    half_swing,
+                    heading,
+                    whole,
+                    arc,
+                    basin.axis.angle,
+                    basin.far.angle,
+                    through,
+                    first,
+                    arrival,
+                    phase.square,
+                    phase.rest,
+                )
+            ),
+        )
     )
 
 
@@ -1884,7 +2111,7 @@ def in_order(found):
     """The list with tips that are nearer than rounding given as equal, where rounding would exchange them."""
     for k in range(1, len(found)):
         if found[k].tip_angle < found[k - 1].tip_angle:
-            found[k] = replace(found[k], tip_angle=found[k - 1].tip_angle)
+            found[k] = found[k]._replace(tip_angle=found[k - 1].tip_angle)
     return found
 
 
@@ -1911,14 +2138,16 @@ def straight_rod(rod, rest):
     energy = -(rod.beta * cosine + rod.eta * along * along / 2) * rod.length
     length = length_of(rod)
     return Equilibrium(
-        rod.side * rod.clamp_angle,
-        0 * length,
-        ldexp(gamma, 2 * rod.scale),
-        cosine * length,
-        rod.side * sine * length,
-        ldexp(energy, rod.scale),
-        index,
-        None,
+        (
+            rod.side * rod.clamp_angle,
+            0 * length,
+            ldexp(gamma, 2 * rod.scale),
+            cosine * length,
+            rod.side * sine * length,
+            ldexp(energy, rod.scale),
+            index,
+            None,
+        )
     )
 
 
@@ -1934,8 +2163,8 @@ def all_equilibria(beta, eta, max_index):
         return [weak_rod(beta, eta)]
     most = inf if max_index is None else max_index
     scale = frexp(beta + eta)[1] // 2
-    rod = Rod(ldexp(beta, -2 * scale), ldexp(eta, -2 * scale), ldexp(mpf(80), scale), 0.5 * pi, 1, scale)
-    mirrored = Rod(rod.beta, rod.eta, rod.length, -0.5 * pi, -1, scale)
+    rod = Rod((ldexp(beta, -2 * scale), ldexp(eta, -2 * scale), ldexp(mpf(80), scale), 0.5 * pi, 1, scale))
+    mirrored = Rod((rod.beta, rod.eta, rod.length, -0.5 * pi, -1, scale))
     scene, other = landscapes(rod.beta, rod.eta)
     clamp = clamp_in(scene.rests, rod.clamp_angle)
     above = below(mirrored, other, clamp_in(other.rests, mirrored.clamp_angle), most)
@@ -1952,8 +2181,10 @@ def index_limit(max_index):
     return limit
 
 
-class Given(NamedTuple):
+class Given(Record):
     """The parameters of many rods: numbers or arrays."""
+
+    __slots__ = ()
 
     beta: Any
     eta: Any
@@ -1976,7 +2207,7 @@ def many_rods(beta, eta):
 
     TypeError or ValueError names the first argument that cannot be, and the index of its first bad value.
     """
-    given = Given(all_not_negative("beta", beta), all_not_negative("eta", eta))
+    given = Given((all_not_negative("beta", beta), all_not_negative("eta", eta)))
     lengths = {len(part) for part in given if isinstance(part, list)}
     if len(lengths - {1}) > 1:
         sizes = [
@@ -1986,14 +2217,13 @@ def many_rods(beta, eta):
     rows = 1 if not lengths or lengths == {1} else max(lengths - {1})
     columns = [part if isinstance(part, list) else [part] for part in given]
     parts = [column * rows if len(column) == 1 else column for column in columns]
-    return Given(*parts)
+    return Given(parts)
 
 
 # Interface
 
 
-@dataclass(frozen=True, slots=True)
-class Equilibrium:
+class Equilibrium(Record):
     """One equilibrium of a rod.
 
     tip_angle: θ(ℓ), continuous from θ(0) = clamp_angle, not wrapped. clamp_curvature: θ′(0). gamma: constant of
@@ -2001,6 +2231,8 @@ class Equilibrium:
     number of negative directions of the second variation; 0 means stable.
     swing: its half-swing, None if it is straight.
     """
+
+    __slots__ = ()
 
     tip_angle: mpf
     clamp_curvature: mpf
@@ -2027,9 +2259,10 @@ def equilibria(beta, eta, *, max_index=None, dps=None) -> list[Equilibrium]:
         return all_equilibria(beta, eta, index_limit(max_index))
 
 
-@dataclass(frozen=True, slots=True)
-class Sweep:
+class Sweep(Record):
     """The equilibria of many rods, flat: case[k] is the index of the rod (in the order of the broadcast arrays)."""
+
+    __slots__ = ()
 
     case: Any
     tip_angle: Any
@@ -2054,12 +2287,14 @@ def sweep(beta, eta, *, max_index=None, dps=None) -> Sweep:
         rods = list(zip(*given, strict=True))
         found = [(case, item) for case, rod in enumerate(rods) for item in equilibria(*rod, max_index=limit)]
         return Sweep(
-            [case for case, _ in found],
-            [item.tip_angle for _, item in found],
-            [item.clamp_curvature for _, item in found],
-            [item.gamma for _, item in found],
-            [item.y for _, item in found],
-            [item.z for _, item in found],
-            [item.energy for _, item in found],
-            [item.index for _, item in found],
+            (
+                [case for case, _ in found],
+                [item.tip_angle for _, item in found],
+                [item.clamp_curvature for _, item in found],
+                [item.gamma for _, item in found],
+                [item.y for _, item in found],
+                [item.z for _, item in found],
+                [item.energy for _, item in found],
+                [item.index for _, item in found],
+            )
         )

@@ -77,9 +77,7 @@ def rod_of(case: str, beta: Any, eta: Any, length: Any, tip_angle: Any, context:
 
 def literally(module: Any, one: Any, s: Any, **digits: Any) -> Any:
     """`literal` of such an equilibrium, as if the module had found it."""
-    found = object.__new__(module.Equilibrium)
-    for name in ("rod", "gamma", "tip_angle"):
-        object.__setattr__(found, name, getattr(one, name))
+    found = module.Equilibrium([getattr(one, name, None) for name in module.Equilibrium._fields])
     return module.literal(found, s, **digits)
 
 

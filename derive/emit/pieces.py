@@ -35,7 +35,10 @@ class Piece:
         """The section of the module to which it belongs."""
         if self.kind == "constant":
             return "constants"
-        return "interface" if self.name in RESULTS else FILE_SECTIONS.get(self.file, "solver")
+        if self.name in RESULTS:
+            return "interface"
+        # A class stands after its base, which is the solver's.
+        return "solver" if isinstance(self.node, ast.ClassDef) else FILE_SECTIONS.get(self.file, "solver")
 
     def uses(self) -> list[str]:
         """The global names that it loads now, each once, in the order of the source."""
