@@ -156,19 +156,23 @@ KERNEL_MUTANTS = [
     pytest.param("shapes", "-rod.side * sign * ldexp(speed", "rod.side * sign * ldexp(speed", id="a sign of θ′"),
     pytest.param("equilibria", "else swings + 1", "else swings", id="an index one too low"),
     pytest.param("equilibria", "2 * crossing.turns - (1", "2 * crossing.turns + (1", id="an index two too high"),
-    pytest.param("equilibria", "2 * beta * y - square", "2 * beta * y + square", id="a sign in the energy"),
-    pytest.param("equilibria", "rod.side * ldexp(z, -scale)", "ldexp(z, -scale)", id="a mirror image not mirrored"),
+    pytest.param("equilibria", "2 * beta * arc.y - arc", "2 * beta * arc.y + arc", id="a sign in the energy"),
+    pytest.param(
+        "equilibria", "rod.side * ldexp(length * heading", "ldexp(length * heading", id="a mirror image not mirrored"
+    ),
     pytest.param("equilibria", "ldexp(gamma, 2 * scale)", "-ldexp(gamma, 2 * scale)", id="the sign of gamma"),
-    pytest.param("equilibria", "both * a + sign * b", "both * a - sign * b", id="an arc on the wrong side"),
+    pytest.param("equilibria", "through * a + b", "through * a - b", id="an arc on the wrong side"),
     pytest.param("search", "else (1, -1):\n", "else (1,):\n", id="half of the branches"),
     pytest.param("search", "+ sign * item.arrival - length", "- sign * item.arrival - length", id="the other branch"),
     pytest.param("landscape", "eta - beta", "eta + beta", id="wells in the wrong place"),
     pytest.param("blocks", "case=found.case + start", "case=found.case + 1", id="cases of a sweep one too high"),
     pytest.param("block_tips", "-side * found.sign", "found.sign", id="a sign in a sweep"),
-    pytest.param("block_tips", "side * ldexp(z, -scale)", "ldexp(z, -scale)", id="no mirror image in a sweep"),
-    pytest.param("block_tips", "+= 2 * turns * change", "+= turns * change", id="half of the swings in a sweep"),
+    pytest.param(
+        "block_tips", "side * ldexp(length * heading", "ldexp(length * heading", id="no mirror image in a sweep"
+    ),
+    pytest.param("block_tips", "= times * change", "= times / 2 * change", id="half of the swings in a sweep"),
     pytest.param("block_pieces", "~strong & ~alone", "strong & ~alone", id="one well for two in a sweep"),
-    pytest.param("block_roots", "<= 4 * epsilon() * (1", "<= 1e-3 * (1", id="tips of a sweep left rough"),
+    pytest.param("block_roots", "blur = 4 * epsilon()", "blur = 1e-3", id="tips of a sweep left rough"),
 ]
 
 

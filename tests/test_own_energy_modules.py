@@ -70,7 +70,7 @@ def shape_at(equilibrium, s, position):
 ''',
     "shapes": '''
 """A shape."""
-def angle_and_position(equilibrium, s):
+def angle_and_position(equilibrium, s, position=True):
     """A straight rod along y."""
     return 0 * s, 0 * s, s, 0 * s
 ''',

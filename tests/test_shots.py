@@ -89,7 +89,7 @@ def test_functions_of_arrays_that_are_made_of_faster_ones() -> None:
         (arrays.each_sin, np.sin, x),
         (arrays.each_cos, np.cos, x),
         (arrays.each_complex_sqrt, np.sqrt, z),
-        (arrays.each_complex_log, np.log, z),
+        (lambda root: arrays.each_complex_atanh(root, 1 - root * root), np.arctanh, np.abs(x) / 9 + 1j * x[::-1]),
     ):
         assert np.abs(ours(at) - theirs(at)).max() < 2e-15
     assert np.all(np.abs(arrays.each_sin(x * 1e-200) / (x * 1e-200) - 1) < 1e-15)

@@ -19,6 +19,7 @@ from derive.emit.formulas import kernel_formulas
 from derive.emit.kernel_files import KernelFiles, read_kernels
 from derive.emit.module import EmittedModule, emit_module
 from derive.emit.scene import CASES, GENERAL_CASE, OUTPUTS, Scene
+from derive.emit.written_out import HELPERS
 
 
 @dataclass(frozen=True)
@@ -65,7 +66,7 @@ def explain_scene(
     source = {name: "the load case" if name in CASES[scene.case] else "the scene" for name in scene.folded}
     folded = {name: {"value": str(value), "by": source[name]} for name, value in scene.folded.items()}
     absent = [Absent(*item, trials.reason(item)) for item in lacking(items(full.text), items(module.text))]
-    absent += [Absent(*item, "no output reaches it") for item in _unreached(trials, full)]
+    absent += [Absent(*item, trials.unreached(item)) for item in _unreached(trials, full)]
     sizes = (size(module.text), size(full.text))
     return Explanation(
         scene.name, backend, scene.outputs, folded, tuple(absent), *sizes, text=module.text, full_text=full.text
@@ -105,6 +106,12 @@ class _Trials:
                 self.known[key] = None
         found = self.known[key]
         return found is None or item in found
+
+    def unreached(self, item: Item) -> str:
+        """Why not even the full module has an item."""
+        if item[1] in HELPERS and not BACKENDS[self.backend].exact:
+            return "what it computes stands in the place of its calls"
+        return "no output reaches it"
 
     def reason(self, item: Item) -> str:
         """Why the scene's module does without an item that the full module has."""
