@@ -1,4 +1,4 @@
-"""Run the emitted modules on the hard suites, and write the table of worst errors into docs/hard_rods.md.
+"""Run the emitted modules on the hard suites: worst errors into docs/hard_rods.md, and a row for each suite into README.
 
 python examples/hard_table.py [most]
 
@@ -14,11 +14,13 @@ from math import sqrt
 
 from verdict_tables import put
 
-from derive.measure.hard import Hardness, hardness
+from derive.measure.hard import Hardness, exact, hardness
 from derive.measure.suites import SUITES, Case, suite
 
 CASES = ("field_only", "force_only", "parallel", "orthogonal", "oblique")
 SHOWN = ("tip_angle", "y", "z", "energy", "theta(s)", "curvature(s)", "y(s)", "z(s)")
+PLACES = ("y", "z", "y(s)", "z(s)")
+ANGLES = ("tip_angle", "theta(s)")
 EACH = 12  # rods of a suite and load case, evenly chosen
 LONGEST = 300.0  # ℓ√(β + η); a reference for more takes seconds
 
@@ -42,15 +44,32 @@ def measured(name: str, most: int) -> Hardness:
     return result
 
 
+def summary(name: str, found: Hardness) -> str:
+    """A row for a suite: its worst place in ulps of ℓ and in bounds, worst angle and energy, and where the place is."""
+    place, angle, energy = (
+        max((found.bounds[one] for one in names if one in found.bounds), key=lambda worst: worst.by)
+        for names in (PLACES, ANGLES, ("energy",))
+    )
+    ulps = max(found.ulps[one].by for one in PLACES if one in found.ulps)
+    numbers = f"{found.equilibria} | {ulps:.2g} | {place.by:.2g} | {angle.by:.2g} | {energy.by:.2g}"
+    return f"| {name} | {numbers} | {place.name}: {exact(place.rod)} |"
+
+
 def main(most: int) -> int:
     """Measure and write; 1 if anything is wrong in kind."""
     lines = ["| suite | quantity | worst error, ulps of its size | in bounds | where |", "|---|---|---|---|---|"]
+    short = [
+        "| suite | equilibria | worst place, ulps of ℓ | in bounds | angles, in bounds | energy, in bounds | where |",
+        "|---|---|---|---|---|---|---|",
+    ]
     faults = []
     for name in SUITES:
         found = measured(name, most)
         lines += found.rows(name, SHOWN)
+        short.append(summary(name, found))
         faults += found.faults
     put("hard", lines)
+    put("suites", short)
     for fault in faults:
         print(fault, file=sys.stderr)
     return 1 if faults else 0

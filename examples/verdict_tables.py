@@ -21,6 +21,7 @@ PAGES = {
     "measure": ROOT / "README.md",
     "errata": ROOT / "docs" / "checks.md",
     "mutants": ROOT / "docs" / "checks.md",
+    "suites": ROOT / "README.md",
     "hard": ROOT / "docs" / "hard_rods.md",
     "scenes": ROOT / "docs" / "solver.md",
 }
