@@ -1,4 +1,4 @@
-"""Run the emitted modules on the hard suites: worst errors into docs/hard_rods.md, and a row for each suite into README.
+"""Run the emitted modules on the hard suites: worst errors into docs/hard_rods.md, a row for each suite into README.
 
 python examples/hard_table.py [most]
 
