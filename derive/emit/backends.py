@@ -97,7 +97,20 @@ EACH_FUNCTIONS: dict[str, tuple[str, str]] = {
 EACH = "_each"  # suffix of functions and formulas of an array instance, and of their files
 # Kernel files on scalars that are wanted on arrays too, and the file of that instance: it is emitted beside them, with
 # ``array_arithmetic`` for ``arithmetic`` and a suffix to every function (see ``instances``).
-ARRAY_INSTANCES = {stem: stem + EACH for stem in ("arcs", "landscape", "motion", "pieces", "potential", "swing")}
+_ON_ARRAYS = (
+    "arcs",
+    "arrivals",
+    "ground",
+    "landscape",
+    "levels",
+    "motion",
+    "oblique_rests",
+    "pieces",
+    "potential",
+    "rests",
+    "swing",
+)
+ARRAY_INSTANCES = {stem: stem + EACH for stem in _ON_ARRAYS}
 FORMULAS = ("formulas", f"formulas{EACH}")  # the files of the solver's formulas, on scalars and on arrays
 # The kernel files from which kernels import formulas, their family, and whether they are on arrays; all are emitted.
 FORMULA_FILES = {FORMULAS[0]: ("solver", False), FORMULAS[1]: ("solver", True), "article_formulas": ("article", True)}

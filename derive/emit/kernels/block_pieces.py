@@ -10,8 +10,8 @@ from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import any_of
 from derive.emit.kernels.block_places import in_time
 from derive.emit.kernels.block_records import rows
+from derive.emit.kernels.ground_each import clamp_in_each, level_ground_each, ridge_ground_each
 from derive.emit.kernels.landscape_each import (
-    astroid_cusp_each,
     has_second_pair_each,
     mirror_landscape_each,
     no_field_each,
@@ -23,18 +23,10 @@ from derive.emit.kernels.landscape_each import (
     parallel_alone_each,
     parallel_double_each,
     parallel_single_each,
-    ridge_couple_each,
 )
-from derive.emit.kernels.pieces_each import (
-    clamp_in_each,
-    fall_each,
-    level_ground_each,
-    ranges_each,
-    reach_each,
-    ridge_fall_each,
-    ridge_ground_each,
-    turn_to_each,
-)
+from derive.emit.kernels.levels_each import fall_each, reach_each, ridge_fall_each, turn_to_each
+from derive.emit.kernels.oblique_rests_each import astroid_cusp_each, ridge_couple_each
+from derive.emit.kernels.pieces_each import ranges_each
 
 NEARLY = 0.3  # how far η may be below the value at which a ridge appears, and still slow motions down, over β + η
 SHARP = 0.01  # the same from which on the dips are too narrow for the samples here

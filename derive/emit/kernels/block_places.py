@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from numpy import abs, arange, arccosh, array, clip, concatenate, exp, log, maximum, minimum, sort, sqrt, where
+from numpy import abs, arange, array, clip, concatenate, exp, log, maximum, minimum, sort, where
 
 from derive.emit.kernels.arithmetic import epsilon
-from derive.emit.kernels.pieces_each import slope_each
+from derive.emit.kernels.arrivals_each import least_arrival_each
+from derive.emit.kernels.levels_each import slope_each
 
 ROUGH_DEPTH = 28.0  # places up to which squares of offsets are numbers in single precision
 LATEST = 12.0  # places beyond which a count is its limit, but for the doubts of a hundred thousandth of all ranges
@@ -15,25 +16,10 @@ HALVINGS = 4  # of the stretch at the low end in which no motion arrives in time
 AROUND = concatenate([-(0.5 ** arange(13)), [0], 0.5 ** arange(12, -1, -1)])  # places about a dip
 
 
-def least_arrival_each(rods, piece, offset):
-    """A length before which no motion from an offset from the hill, or from a lower one, arrives.
-
-    θ″ is nowhere more than β + η/2, and at an offset from the hill no more than β + η times that: a motion that has
-    the lesser of these two gets ahead of it.
-    """
-    steep, most = rods.beta + rods.eta, rods.beta + rods.eta / 2
-    clamp = piece.low_offset + piece.width + piece.clamp_gap
-    bend = minimum(clamp, most / steep)
-    ratio = maximum(bend / maximum(offset, SMALLEST), 1)
-    arrival = arccosh(ratio) / sqrt(steep)
-    speed = sqrt(steep * (ratio - 1) * (ratio + 1)) * offset
-    rest = maximum(clamp - maximum(offset, bend), 0)
-    return arrival + 2 * rest / (speed + sqrt(speed * speed + 2 * most * rest) + SMALLEST)
-
-
 def in_time(rods, piece):
     """Which ranges have a motion that may arrive in time."""
-    return least_arrival_each(rods, piece, piece.low_offset + piece.width) <= (1 + SURELY) * rods.length
+    first = least_arrival_each(rods.beta, rods.eta, piece, piece.low_offset + piece.width, piece.clamp_gap)
+    return first <= (1 + SURELY) * rods.length
 
 
 def ends(rods, piece):
@@ -44,7 +30,9 @@ def ends(rods, piece):
     for k in range(1, HALVINGS + 1):
         trial = late - first * 0.5**k
         offset = piece.low_offset + piece.width / (1 + exp(-trial))
-        late = where(least_arrival_each(rods, piece, offset) > (1 + SURELY) * rods.length, trial, late)
+        left = piece.clamp_gap + piece.width / (1 + exp(trial))
+        least = least_arrival_each(rods.beta, rods.eta, piece, offset, left)
+        late = where(least > (1 + SURELY) * rods.length, trial, late)
     if piece.high_kind == "level":
         last = 2 * rods.slow + rounding
     elif piece.high_kind == "turn":

@@ -27,8 +27,9 @@ from derive.emit.kernels.arithmetic import (
     sin,
     sqrt,
 )
+from derive.emit.kernels.ground import clamp_in
 from derive.emit.kernels.landscape import landscape, mirror_landscape
-from derive.emit.kernels.pieces import clamp_in, pieces
+from derive.emit.kernels.pieces import pieces
 from derive.emit.kernels.search import Stay, crossings
 from derive.emit.kernels.swing import phase_of
 

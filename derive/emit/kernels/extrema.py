@@ -5,10 +5,12 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import ceil, epsilon, exp, inf
+from derive.emit.kernels.arrivals import least_arrival
 from derive.emit.kernels.equilibria import Rod
+from derive.emit.kernels.ground import clamp_in
 from derive.emit.kernels.landscape import landscape
-from derive.emit.kernels.pieces import Piece, clamp_in, pieces
-from derive.emit.kernels.places import grid, least_arrival
+from derive.emit.kernels.pieces import Piece, pieces
+from derive.emit.kernels.places import about, grid
 from derive.emit.kernels.roots import bracketed_root, dip
 from derive.emit.kernels.search import delays, sample_at
 from derive.emit.kernels.variations import Change, rates_of_times
@@ -74,7 +76,7 @@ def marks_on(rod, turns, piece, where, wanted):
         return probe(rod, piece, ends, place)
 
     def too_low(place):
-        return least_arrival(rod.beta, rod.eta, piece, place) > (1 + WINDOW) * rod.length
+        return least_arrival(rod.beta, rod.eta, piece, *about(piece, place)) > (1 + WINDOW) * rod.length
 
     if too_low(inf):
         return

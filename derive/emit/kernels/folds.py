@@ -7,8 +7,8 @@ from typing import NamedTuple
 from derive.emit.kernels.arithmetic import ceil, frexp, ldexp, log, pi, sqrt
 from derive.emit.kernels.equilibria import Rod, bent_rod, direction, principal, reflected
 from derive.emit.kernels.extrema import marks
+from derive.emit.kernels.ground import clamp_in
 from derive.emit.kernels.landscape import landscape
-from derive.emit.kernels.pieces import clamp_in
 from derive.emit.kernels.search import Crossing, delays, sample_at
 from derive.emit.kernels.tracking import LEAST, nearest, zeros
 

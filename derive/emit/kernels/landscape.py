@@ -9,22 +9,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import any_of, atan, atan2, cos, epsilon, larger, less_quarters, pi, pick, sin, sqrt
-from derive.emit.kernels.formulas import cusp_couple, force_balance, force_stiffness, pair_couple, pair_stiffness
-
-
-class Rest(NamedTuple):
-    """A direction without moment: angle = quarters·π/2 + extra.
-
-    stiffness: dθ″/dθ there, positive on a hill. double_cosine, double_sine: of 2(angle − α).
-    """
-
-    quarters: int
-    extra: float
-    angle: float
-    stiffness: float
-    double_cosine: float
-    double_sine: float
+from derive.emit.kernels.arithmetic import any_of, atan2, cos, epsilon, less_quarters, pi, pick, sin, sqrt
+from derive.emit.kernels.oblique_rests import astroid_cusp, beside_field, beside_force, couple_beyond, pair_rests
+from derive.emit.kernels.rests import Rest, along, mirror_rest, pick_rest, rest_at, rest_of, rest_turned_back
 
 
 class Landscape(NamedTuple):
@@ -77,18 +64,6 @@ def mirror_landscape(scene):
     if scene.shoulder is None:
         return scene._replace(rests=rests)
     return scene._replace(rests=rests, shoulder=mirror_rest(scene.shoulder), moment=-scene.moment)
-
-
-def along(beta, quarters, sign):
-    """A direction along or against the force, no field: what it is about the field is not asked."""
-    return Rest(quarters, 0, quarters * (pi / 2), sign * beta, 1, 0)
-
-
-def mirror_rest(rest):
-    """The direction seen from the other side of the y axis, a turn on."""
-    return rest._replace(
-        quarters=4 - rest.quarters, extra=-rest.extra, angle=2 * pi - rest.angle, double_sine=-rest.double_sine
-    )
 
 
 def no_field(beta):
@@ -157,51 +132,6 @@ def oblique_single(beta, eta, field_angle):
     return Landscape((low, rest_of(2, well), low._replace(quarters=4, angle=low.angle + 2 * pi)), False, False)
 
 
-def rest_turned_back(rest):
-    """What is a hill beside 0 with one field is a well beside π with the other, and the reverse."""
-    return rest._replace(
-        extra=-rest.extra, stiffness=-rest.stiffness, double_cosine=-rest.double_cosine, double_sine=rest.double_sine
-    )
-
-
-def rest_of(quarters, rest):
-    """The direction with its angle, from a number of quarter turns on."""
-    return rest._replace(quarters=quarters, angle=quarters * (pi / 2) + rest.extra)
-
-
-def beside_field(beta, eta, lean):
-    """The hill between force and field, for a field at ``lean`` in (0, π/4]."""
-    back = rising_root(lambda y: twist(eta, y) - beta * sin(lean - y), 0 * lean, lean)
-    return Rest(0, lean - back, 0, beta * cos(lean - back) + eta * cos(2 * back), cos(2 * back), -sin(2 * back))
-
-
-def beside_force(beta, eta, lean, most):
-    """The well between the normal of the field and the opposite of the force, for the same: by what it is from the
-    nearer one of these. most: what they are apart."""
-    on = side_couple(beta, eta, lean, most / 2) < 0  # whether it is nearer to the normal
-    # Under a force no weaker than the field it is no further from its opposite than where both would be level.
-    level = pick(on | (beta < eta), most, 2 * lean ** (1 / 3))
-    part = rising_root(
-        lambda x: pick(on, twist(eta, x) - beta * cos(lean + x), side_couple(beta, eta, lean, x)),
-        0 * lean,
-        pick(level < most, level, most),
-    )
-    gap, double = pick(on, most - part, part), 2 * pick(on, part, lean + part)
-    along, across = pick(on, sin(part), cos(lean + part)), pick(on, cos(part), sin(lean + part))
-    weak = 2 * eta < beta  # then it is next to the force, and nothing cancels
-    stiffness = force_stiffness(
-        eta, sin(lean), cos(lean), along, across, pick(weak, 1, larger(sin(gap), epsilon() ** 19))
-    )
-    stiffness = pick(weak, beta * cos(gap) - eta * cos(double), stiffness)
-    return Rest(2, -gap, 0, -stiffness, cos(double) * pick(on, -1, 1), -sin(double))
-
-
-def side_couple(beta, eta, lean, gap):
-    """The couple on a rod at π − gap."""
-    turn = lean + gap
-    return force_balance(beta, eta, sin(gap), sin(lean / 2), cos(gap + lean / 2), sin(turn), sin(turn / 2))
-
-
 def oblique_double(beta, eta, field_angle):
     """A field angle in (0, π/2), and a second pair: a ridge and a well."""
     hill, well, again = oblique_single(beta, eta, field_angle).rests
@@ -216,34 +146,6 @@ def oblique_double(beta, eta, field_angle):
     return Landscape((hill, well, rest_of(2, low), rest_of(2, high), again), False, False)
 
 
-def pair_rests(beta, eta, lean):
-    """The pair at π + lean + x, x to either side of the cusp, each with π/2 − x: by what x is from the cusp, or from
-    the nearer end of the quarter."""
-    cusp = astroid_cusp(lean)
-    place, couple = lean + cusp, couple_beyond(beta, eta, lean, cusp)
-    stiffness = couple * cos(place) / sin(place)
-
-    def beside(u):
-        first, second = sin(2 * cusp + u / 4), sin(2 * cusp + 3 * u / 4)
-        force_sine, third = sin(place + u / 4), sin(3 * u / 4)
-        return cusp_couple(beta, eta, couple, stiffness, sin(u / 2), sin(u / 4), third, first, second, force_sine)
-
-    near = couple_beyond(beta, eta, lean, cusp / 2) > 0
-    first = rising_root(
-        lambda x: pick(near, couple_beyond(beta, eta, lean, x), beside(-x)), pick(near, 0, cusp), pick(near, cusp, 0)
-    )
-    turn = pick(near, first, cusp - first)
-    low = pair_rest(eta, lean, cusp, turn, pick(near, first - cusp, -first)), pi / 2 - turn
-    most = pi / 2 - cusp
-    far = couple_beyond(beta, eta, lean, cusp + most / 2) > 0
-    last = rising_root(
-        lambda x: pick(far, twist(eta, x) - beta * cos(lean - x), beside(x)), pick(far, 0, most), pick(far, most, 0)
-    )
-    beyond = pick(far, most - last, last)
-    high = pair_rest(eta, lean, cusp, cusp + beyond, beyond), pick(far, last, pi / 2 - (cusp + beyond))
-    return low, high
-
-
 def with_shoulder(beta, eta, field_angle, scene):
     """The landscape with the direction at which the pair would be born."""
     steep = field_angle > pi / 4
@@ -256,92 +158,3 @@ def with_shoulder(beta, eta, field_angle, scene):
         back = rest_turned_back(shoulder)
         shoulder = pick_rest(steep, back._replace(extra=back.extra + pi), shoulder)
     return scene._replace(shoulder=rest_of(2, shoulder), moment=couple)
-
-
-def pair_rest(eta, lean, cusp, turn, beside):
-    """The direction at π + lean + turn, turn = cusp + beside."""
-    along, across = cos(cusp) * sin(turn), sin(cusp) * cos(turn)
-    stiffness = pair_stiffness(eta, cos(lean), cos(cusp), sin(beside), along, across, sin(lean + turn))
-    return Rest(2, lean + turn, 0, stiffness, cos(2 * turn), sin(2 * turn))
-
-
-def couple_beyond(beta, eta, lean, turn):
-    """The couple on a rod at π + lean + turn, greatest at the cusp; of a weak force as it stands."""
-    across = sin(lean + turn)
-    couple = pair_couple(beta, eta, across, sin(lean / 2), cos(turn + lean / 2), sin(turn), sin(turn / 2))
-    return pick(2 * beta < eta, twist(eta, turn) - beta * across, couple)
-
-
-def pick_rest(condition, yes, no):
-    """One or the other direction, number by number."""
-    return Rest(*(pick(condition, *pair) for pair in zip(yes, no, strict=True)))
-
-
-def astroid_cusp(field_angle):
-    """Where the second pair is born: tan³x = tan α (Stoner and Wohlfarth's astroid).
-
-    The pair lies at α + π + x with sin α/sin x + cos α/cos x = η/β: it is there when η/β is beyond the least value of
-    the left side, taken at this x.
-    """
-    return atan((sin(field_angle) / larger(cos(field_angle), epsilon())) ** (1 / 3))
-
-
-def ridge_couple(beta, eta, field_angle, x):
-    """The couple on a rod that points along α + π + x."""
-    return twist(eta, x) - beta * sin(field_angle + x)
-
-
-def twist(eta, x):
-    """The couple of the field on a rod turned by x from it."""
-    return eta * sin(x) * cos(x)
-
-
-def rest_at(beta, eta, field_angle, quarters, extra):
-    """The direction at this angle."""
-    angle = quarters * (pi / 2) + extra
-    double = 2 * (angle - field_angle)
-    return Rest(quarters, extra, angle, beta * cos(angle) + eta * cos(double), cos(double), sin(double))
-
-
-def rising_root(function, low, high):
-    """The root between low, where the function is negative, and high, where it is positive, by Ridders' method."""
-    value_low, value_high = function(low), function(high)
-    last, moving = high, value_high > 0
-    for _ in range(60):
-        middle = (low + high) / 2
-        value = function(middle)
-        size = sqrt(larger(value * value - value_low * value_high, 0))
-        exact = (value == 0) | (size == 0)
-        size = pick(exact, 1, size)
-        # By the distance from the low end, which may be far less than the interval.
-        share = pick(value > 0, -value_low * value_high / (size * (size + larger(value, 0))), 1 - value / size)
-        trial = pick(exact, middle, low + (middle - low) * share)
-        value_trial = function(trial)
-        settled, last = abs(trial - last) <= 4 * epsilon() * abs(trial), pick(moving, trial, last)
-        low, high, value_low, value_high = narrowed(low, high, value_low, value_high, middle, value)
-        low, high, value_low, value_high = narrowed(low, high, value_low, value_high, trial, value_trial)
-        moving = moving & (abs(high - low) > 2 * epsilon() * abs(trial)) & (value_trial != 0) & (exact == 0)
-        if any_of(settled & moving):
-            # The trials stay on one side of the root: is it between them and the next few numbers?
-            beside = trial + pick((value_trial > 0) == (high > low), -2, 2) * epsilon() * abs(trial)
-            beside = pick(settled, beside, trial)
-            low, high, value_low, value_high = narrowed(low, high, value_low, value_high, beside, function(beside))
-            moving = moving & (abs(high - low) > 2 * epsilon() * abs(trial))
-        if not any_of(moving):
-            break
-    return last
-
-
-def narrowed(low, high, value_low, value_high, place, value):
-    """The interval about a root, with a place in it as its new end."""
-    inside = (abs(place - low) < abs(high - low)) & (abs(high - place) < abs(high - low))
-    rises, falls = inside & (value > 0), inside & (value <= 0)
-    high, value_high = pick(rises, place, high), pick(rises, value, value_high)
-    return pick(falls, place, low), high, pick(falls, value, value_low), value_high
-
-
-def offset_from(rest, angle, turns):
-    """angle − (rest + turns·2π), without cancellation; 0 where no angle within rounding of this tells them apart."""
-    offset = less_quarters(angle, 4 * turns + rest.quarters) - rest.extra
-    blur = epsilon() * (abs(angle) + abs(rest.extra))
-    return pick((abs(offset) <= blur) | (abs(offset) < epsilon() ** 9), 0, offset)

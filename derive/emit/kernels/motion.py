@@ -19,9 +19,10 @@ from derive.emit.kernels.arithmetic import (
     spacing,
     sqrt,
 )
-from derive.emit.kernels.landscape import pick_rest
-from derive.emit.kernels.pieces import Piece, fall, onward, reach, slope, turn_to
+from derive.emit.kernels.levels import fall, onward, reach, slope, turn_to
+from derive.emit.kernels.pieces import Piece
 from derive.emit.kernels.potential import fall_from_rest, moment_from_rest
+from derive.emit.kernels.rests import pick_rest
 
 
 class Motion(NamedTuple):

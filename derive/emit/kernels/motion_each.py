@@ -22,11 +22,11 @@ from derive.emit.kernels.array_arithmetic import (
     each_sqrt,
     larger,
 )
-from derive.emit.kernels.landscape_each import pick_rest_each
+from derive.emit.kernels.levels_each import fall_each, onward_each, reach_each, slope_each, turn_to_each
 from derive.emit.kernels.motion import Motion
 from derive.emit.kernels.pieces import Piece
-from derive.emit.kernels.pieces_each import fall_each, onward_each, reach_each, slope_each, turn_to_each
 from derive.emit.kernels.potential_each import fall_from_rest_each, moment_from_rest_each
+from derive.emit.kernels.rests_each import pick_rest_each
 
 
 def motion_at_each(beta, eta, field_angle, piece: Piece, place):

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import any_of, asin, cos, epsilon, floor, larger, pi, pick, sin, spacing, sqrt
-from derive.emit.kernels.formulas import rest_fall, rest_moment
-from derive.emit.kernels.landscape import Landscape, Rest, offset_from, pick_rest
-from derive.emit.kernels.potential import fall_from_rest, moment_from_rest
+from derive.emit.kernels.arithmetic import any_of, larger, pick
+from derive.emit.kernels.ground import ground_of
+from derive.emit.kernels.levels import fall, onward, reach, turn_to
+from derive.emit.kernels.rests import Rest, pick_rest
 
 
 class Basin(NamedTuple):
@@ -58,157 +58,6 @@ class Piece(NamedTuple):
     beyond_well: float  # clamp − far_well
     past_hill: float  # clamp − hill
     past_well: float  # clamp − well
-
-
-class Clamp(NamedTuple):
-    """The clamp angle in a landscape: whole turns, and its offset from each direction without moment."""
-
-    turns: int
-    offsets: tuple[float, ...]
-
-
-def clamp_in(rests, angle):
-    """Whole turns such that the clamp lies from the first hill up to, but not at, its like a turn on."""
-    turns = floor((angle - rests[0].angle) / (2 * pi))
-    for _ in range(3):
-        offsets = tuple(offset_from(rest, angle, turns) for rest in rests)
-        shift = pick(offsets[0] < 0, -1, pick(offsets[-1] >= 0, 1, 0))
-        if not any_of(shift != 0):
-            break
-        turns = turns + shift
-    return Clamp(turns, offsets)
-
-
-def turn_to(start, end):
-    """The angle from one direction without moment to another, however near they are to each other."""
-    return (end.quarters - start.quarters) * (pi / 2) + (end.extra - start.extra)
-
-
-def fall(eta, rest, start, change):
-    """V(start) − V(start + change), from a start measured from a direction without moment."""
-    half = change / 2
-    return fall_from_rest(eta, rest.stiffness, rest.double_cosine, rest.double_sine, start + half, half)
-
-
-def slope(eta, rest, offset):
-    """θ″ at an offset from a direction without moment."""
-    return moment_from_rest(eta, rest.stiffness, rest.double_cosine, rest.double_sine, offset)
-
-
-def reach(eta, rest, amount, most, side):
-    """The distance from a hill (or a well) at which V is lower (or higher) by ``amount``, to one side.
-
-    most: the distance of the next well (or hill). Halley's method for the square root of the difference, which is
-    nearly linear, from the pendulum's value.
-    """
-    amount = larger(amount, 0)  # of a hill and a well that nearly meet, rounding may give less
-    share = amount / larger(abs(fall(eta, rest, 0, side * most)), epsilon() ** 20)
-    near = most * asin(sqrt(pick(share < 1, share, 1))) * (2 / pi)
-    goal = sqrt(amount)
-    for _ in range(40):
-        step, bent = step_to(eta, rest, side * near, goal)
-        safe = abs(bent) < 0.5
-        trial = near - step / pick(safe, 1 - bent, 1)
-        trial = pick(trial > most, (near + most) / 2, pick(trial < 0, near / 2, trial))
-        # The method cubes the error, and Newton's squares it: after steps this small the next would change nothing.
-        small = pick(safe, spacing(trial) ** 0.45, spacing(trial) ** 0.6)
-        moving, near = abs(trial - near) > small * near, trial
-        if not any_of(moving):
-            break
-    return near
-
-
-def step_to(eta, rest, offset, goal):
-    """Newton's step to where the square root of the change of V from a direction without moment is ``goal``, and by
-    how much its slope changes half way there, as a share of it."""
-    small, large = sin(offset / 4), cos(offset / 4)
-    sine, cosine = 2 * small * large, 1 - 2 * small * small
-    level = rest_fall(eta, rest.stiffness, rest.double_cosine, rest.double_sine, small, large, small, large)
-    force = abs(rest_moment(eta, rest.stiffness, rest.double_cosine, rest.double_sine, sine, cosine))
-    here, force = sqrt(abs(level)), larger(force, epsilon() ** 20)
-    whole_sine, whole_cosine = 2 * sine * cosine, 1 - 2 * sine * sine
-    # dθ″/dθ, by β and α as the direction has them.
-    turned = rest.double_cosine * (2 * whole_cosine * whole_cosine - 1 - whole_cosine)
-    turned = turned - rest.double_sine * whole_sine * (2 * whole_cosine - 0.5)
-    bend = (rest.stiffness * whole_cosine + eta * turned) * (here / force) * (here / force)
-    share = (here - goal) / larger(here, epsilon() ** 20)
-    return 2 * here * (here - goal) / force, share * (pick(level < 0, -bend, bend) - 0.5)
-
-
-def onward(eta, rest, start, amount, rough, wanted, moment=0):
-    """How far beyond ``start``, an offset from a direction of that moment, V has fallen by ``amount``.
-
-    The rough value is good to rounding of the angles; where little of it is left, the slope of V at the start gives a
-    better one. Newton's method does the rest, until all that are wanted are found.
-    """
-    steep = slope(eta, rest, start) + moment * cos(start)
-    told = (abs(rough) > 1e-3 * abs(start)) | (steep == 0)
-    distance = pick(told, rough, amount / pick(told, 1, steep))
-    for _ in range(40):
-        force = slope(eta, rest, start + distance) + moment * cos(start + distance)
-        fallen = fall(eta, rest, start, distance) + 2 * moment * cos(start + distance / 2) * sin(distance / 2)
-        step = (fallen - amount) / pick(force == 0, 1, force)
-        away = abs(distance - step) > pi
-        stuck = away & (distance == rough)
-        distance = pick(away, rough, distance - step)
-        if not any_of(wanted & (stuck == 0) & (abs(step) > spacing(distance) ** 0.6 * abs(distance))):
-            break
-    return distance
-
-
-def ridge_fall(beta, eta, field_angle, hill, ridge):
-    """V(hill) − V(ridge): the sine of half their distance times the slope of V between, as if it were a circle."""
-    half, middle = (ridge.extra - hill.extra) / 2, pi / 2 + (hill.extra + ridge.extra) / 2
-    return cos(half) * (2 * beta * sin(middle) - eta * sin(half) * sin(2 * (middle - field_angle)))
-
-
-class Ground(NamedTuple):
-    """What the ranges of a rod are told by: its landscape and the clamp's offsets from the directions there.
-
-    drop: V(hill) − V(ridge); level: from the hill to the level of the ridge, depth: from there to the well; by_hill:
-    level is told by the hill, depth by the well if not; height: V(ridge) − V(clamp). They are 0 where no ridge is lower
-    than the hill.
-    """
-
-    eta: float
-    scene: Landscape
-    at: tuple[float, ...]
-    drop: float
-    level: float
-    depth: float
-    by_hill: bool
-    height: float
-
-
-def ground_of(beta, eta, field_angle, scene, clamp):
-    """The ground of a rod."""
-    rests, at = scene.rests, clamp.offsets
-    if len(rests) == 3:
-        return level_ground(eta, scene, at)
-    drop = 0 if scene.level else ridge_fall(beta, eta, field_angle, rests[0], rests[2])
-    # A ridge lower by less than this would be passed only from within its square root of the hill.
-    if drop <= epsilon() ** 17 * (beta + eta):
-        return level_ground(eta, scene._replace(level=True, even=True), at)
-    return ridge_ground(eta, scene, at, drop)
-
-
-def level_ground(eta, scene, at):
-    """The ground without a ridge lower than the hill."""
-    return Ground(eta, scene, at, 0, 0, 0, True, 0)
-
-
-def ridge_ground(eta, scene, at, drop):
-    """The ground with a lower ridge."""
-    rests = scene.rests
-    down, above = turn_to(rests[0], rests[1]), fall(eta, rests[2], 0, turn_to(rests[2], rests[1]))
-    # Of a ridge that is next to its wells V tells at the hill nothing.
-    by_hill = drop < above
-    rest, amount = pick_rest(by_hill, rests[0], rests[1]), pick(by_hill, drop, above)
-    distance = reach(eta, rest, amount, down, pick(by_hill, 1, -1))
-    level, depth = pick(by_hill, distance, down - distance), pick(by_hill, down - distance, distance)
-    # Near the far hill V says which is higher only by the distance from that hill.
-    height = pick(at[2] < -at[4], fall(eta, rests[2], 0, at[2]), fall(eta, rests[4], 0, at[4]) - drop)
-    return Ground(eta, scene, at, drop, level, depth, by_hill, height)
 
 
 def pieces(beta, eta, field_angle, scene, clamp):

@@ -2,157 +2,16 @@
 
 Emitted by `derive emit` from kernels/pieces.py: do not edit, change that file.
 
-Digest of the inputs: sha256 3cffeb4a735b4a998de80a4a7370766d3b11d91c20d21391edf39f8544a4d015
+Digest of the inputs: sha256 9ed8eeae64ac7cf316ce5a68d64a7fbee6fc8a7266758552f3d315cb72db28ac
 """
 
 from __future__ import annotations
 
-from derive.emit.kernels.arithmetic import epsilon, pi
-from derive.emit.kernels.array_arithmetic import (
-    any_of,
-    each_abs,
-    each_asin,
-    each_cos,
-    each_floor,
-    each_pick,
-    each_sin,
-    each_spacing,
-    each_sqrt,
-    larger,
-)
-from derive.emit.kernels.formulas_each import rest_fall_each, rest_moment_each
-from derive.emit.kernels.landscape_each import offset_from_each, pick_rest_each
-from derive.emit.kernels.pieces import Basin, Clamp, Ground, Piece
-from derive.emit.kernels.potential_each import fall_from_rest_each, moment_from_rest_each
-
-
-def clamp_in_each(rests, angle):
-    """Whole turns such that the clamp lies from the first hill up to, but not at, its like a turn on."""
-    turns = each_floor((angle - rests[0].angle) / (2 * pi))
-    for _ in range(3):
-        offsets = tuple(offset_from_each(rest, angle, turns) for rest in rests)
-        shift = each_pick(offsets[0] < 0, -1, each_pick(offsets[-1] >= 0, 1, 0))
-        if not any_of(shift != 0):
-            break
-        turns = turns + shift
-    return Clamp(turns, offsets)
-
-
-def turn_to_each(start, end):
-    """The angle from one direction without moment to another, however near they are to each other."""
-    return (end.quarters - start.quarters) * (pi / 2) + (end.extra - start.extra)
-
-
-def fall_each(eta, rest, start, change):
-    """V(start) − V(start + change), from a start measured from a direction without moment."""
-    half = change / 2
-    return fall_from_rest_each(eta, rest.stiffness, rest.double_cosine, rest.double_sine, start + half, half)
-
-
-def slope_each(eta, rest, offset):
-    """θ″ at an offset from a direction without moment."""
-    return moment_from_rest_each(eta, rest.stiffness, rest.double_cosine, rest.double_sine, offset)
-
-
-def reach_each(eta, rest, amount, most, side):
-    """The distance from a hill (or a well) at which V is lower (or higher) by ``amount``, to one side.
-
-    most: the distance of the next well (or hill). Halley's method for the square root of the difference, which is
-    nearly linear, from the pendulum's value.
-    """
-    amount = larger(amount, 0)  # of a hill and a well that nearly meet, rounding may give less
-    share = amount / larger(each_abs(fall_each(eta, rest, 0, side * most)), epsilon() ** 20)
-    near = most * each_asin(each_sqrt(each_pick(share < 1, share, 1))) * (2 / pi)
-    goal = each_sqrt(amount)
-    for _ in range(40):
-        step, bent = step_to_each(eta, rest, side * near, goal)
-        safe = each_abs(bent) < 0.5
-        trial = near - step / each_pick(safe, 1 - bent, 1)
-        trial = each_pick(trial > most, (near + most) / 2, each_pick(trial < 0, near / 2, trial))
-        # The method cubes the error, and Newton's squares it: after steps this small the next would change nothing.
-        small = each_pick(safe, each_spacing(trial) ** 0.45, each_spacing(trial) ** 0.6)
-        moving, near = each_abs(trial - near) > small * near, trial
-        if not any_of(moving):
-            break
-    return near
-
-
-def step_to_each(eta, rest, offset, goal):
-    """Newton's step to where the square root of the change of V from a direction without moment is ``goal``, and by
-    how much its slope changes half way there, as a share of it."""
-    small, large = each_sin(offset / 4), each_cos(offset / 4)
-    sine, cosine = 2 * small * large, 1 - 2 * small * small
-    level = rest_fall_each(eta, rest.stiffness, rest.double_cosine, rest.double_sine, small, large, small, large)
-    force = each_abs(rest_moment_each(eta, rest.stiffness, rest.double_cosine, rest.double_sine, sine, cosine))
-    here, force = each_sqrt(each_abs(level)), larger(force, epsilon() ** 20)
-    whole_sine, whole_cosine = 2 * sine * cosine, 1 - 2 * sine * sine
-    # dθ″/dθ, by β and α as the direction has them.
-    turned = rest.double_cosine * (2 * whole_cosine * whole_cosine - 1 - whole_cosine)
-    turned = turned - rest.double_sine * whole_sine * (2 * whole_cosine - 0.5)
-    bend = (rest.stiffness * whole_cosine + eta * turned) * (here / force) * (here / force)
-    share = (here - goal) / larger(here, epsilon() ** 20)
-    return 2 * here * (here - goal) / force, share * (each_pick(level < 0, -bend, bend) - 0.5)
-
-
-def onward_each(eta, rest, start, amount, rough, wanted, moment=0):
-    """How far beyond ``start``, an offset from a direction of that moment, V has fallen by ``amount``.
-
-    The rough value is good to rounding of the angles; where little of it is left, the slope of V at the start gives a
-    better one. Newton's method does the rest, until all that are wanted are found.
-    """
-    steep = slope_each(eta, rest, start) + moment * each_cos(start)
-    told = (each_abs(rough) > 0.001 * each_abs(start)) | (steep == 0)
-    distance = each_pick(told, rough, amount / each_pick(told, 1, steep))
-    for _ in range(40):
-        force = slope_each(eta, rest, start + distance) + moment * each_cos(start + distance)
-        fallen = (
-            fall_each(eta, rest, start, distance)
-            + 2 * moment * each_cos(start + distance / 2) * each_sin(distance / 2)
-        )
-        step = (fallen - amount) / each_pick(force == 0, 1, force)
-        away = each_abs(distance - step) > pi
-        stuck = away & (distance == rough)
-        distance = each_pick(away, rough, distance - step)
-        if not any_of(wanted & (stuck == 0) & (each_abs(step) > each_spacing(distance) ** 0.6 * each_abs(distance))):
-            break
-    return distance
-
-
-def ridge_fall_each(beta, eta, field_angle, hill, ridge):
-    """V(hill) − V(ridge): the sine of half their distance times the slope of V between, as if it were a circle."""
-    half, middle = (ridge.extra - hill.extra) / 2, pi / 2 + (hill.extra + ridge.extra) / 2
-    return each_cos(half) * (2 * beta * each_sin(middle) - eta * each_sin(half) * each_sin(2 * (middle - field_angle)))
-
-
-def ground_of_each(beta, eta, field_angle, scene, clamp):
-    """The ground of a rod."""
-    rests, at = scene.rests, clamp.offsets
-    if len(rests) == 3:
-        return level_ground_each(eta, scene, at)
-    drop = 0 if scene.level else ridge_fall_each(beta, eta, field_angle, rests[0], rests[2])
-    # A ridge lower by less than this would be passed only from within its square root of the hill.
-    if drop <= epsilon() ** 17 * (beta + eta):
-        return level_ground_each(eta, scene._replace(level=True, even=True), at)
-    return ridge_ground_each(eta, scene, at, drop)
-
-
-def level_ground_each(eta, scene, at):
-    """The ground without a ridge lower than the hill."""
-    return Ground(eta, scene, at, 0, 0, 0, True, 0)
-
-
-def ridge_ground_each(eta, scene, at, drop):
-    """The ground with a lower ridge."""
-    rests = scene.rests
-    down, above = turn_to_each(rests[0], rests[1]), fall_each(eta, rests[2], 0, turn_to_each(rests[2], rests[1]))
-    # Of a ridge that is next to its wells V tells at the hill nothing.
-    by_hill = drop < above
-    rest, amount = pick_rest_each(by_hill, rests[0], rests[1]), each_pick(by_hill, drop, above)
-    distance = reach_each(eta, rest, amount, down, each_pick(by_hill, 1, -1))
-    level, depth = each_pick(by_hill, distance, down - distance), each_pick(by_hill, down - distance, distance)
-    # Near the far hill V says which is higher only by the distance from that hill.
-    height = each_pick(at[2] < -at[4], fall_each(eta, rests[2], 0, at[2]), fall_each(eta, rests[4], 0, at[4]) - drop)
-    return Ground(eta, scene, at, drop, level, depth, by_hill, height)
+from derive.emit.kernels.array_arithmetic import any_of, each_abs, each_pick, larger
+from derive.emit.kernels.ground_each import ground_of_each
+from derive.emit.kernels.levels_each import fall_each, onward_each, reach_each, turn_to_each
+from derive.emit.kernels.pieces import Basin, Piece
+from derive.emit.kernels.rests_each import pick_rest_each
 
 
 def pieces_each(beta, eta, field_angle, scene, clamp):

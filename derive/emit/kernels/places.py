@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from derive.emit.kernels.arithmetic import ceil, deepest, epsilon, exp, log, pi, sqrt
-from derive.emit.kernels.landscape import astroid_cusp, ridge_couple
-from derive.emit.kernels.pieces import fall, reach, slope, turn_to
+from derive.emit.kernels.levels import fall, reach, slope, turn_to
+from derive.emit.kernels.oblique_rests import astroid_cusp, ridge_couple
 
 
 def places(beta, eta, field_angle, length, piece):
@@ -52,23 +52,8 @@ def grid(beta, eta, length, piece):
     return sorted(inner)
 
 
-def least_arrival(beta, eta, piece, place):
-    """A length before which no motion from a place, or from a lower one, arrives.
-
-    θ″ is nowhere more than β + η/2, and at an offset from the hill no more than β + η times that, or than its stiffness
-    times that where the field is along it: a motion that has the lesser of these two gets ahead of it.
-    """
-    hill = piece.basin.hill
-    # β + η cos u and η cos u − β by sin u: both are largest at u = 0.
-    steep, most = hill.stiffness if hill.double_cosine == 1 else beta + eta, beta + eta / 2
-    share = 1 / (1 + exp(-max(place, -deepest(piece.width))))
-    offset = piece.low_offset + piece.width * share
-    clamp = piece.low_offset + piece.width + piece.clamp_gap
-    bend = min(clamp, most / steep)
-    arrival, speed = 0.0, 0.0
-    if offset < bend:
-        ratio = bend / offset
-        away = sqrt((ratio - 1) * (ratio + 1))
-        arrival, speed = log(ratio + away) / sqrt(steep), sqrt(steep) * away * offset
-    rest = clamp - max(offset, bend)
-    return arrival + (2 * rest / (speed + sqrt(speed * speed + 2 * most * rest)) if rest > 0 else 0)
+def about(piece, place):
+    """How far a place of a piece is from the hill and from the clamp."""
+    place = max(place, -deepest(piece.width))
+    from_hill = piece.low_offset + piece.width / (1 + exp(-place))
+    return from_hill, piece.clamp_gap + (piece.width / (1 + exp(place)) if place < deepest(piece.width) else 0)

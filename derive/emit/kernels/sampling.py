@@ -6,8 +6,9 @@ A sample has a place, a swing and an arrival.
 from __future__ import annotations
 
 from derive.emit.kernels.arithmetic import epsilon, exp, floor, inf, pi, sqrt
-from derive.emit.kernels.pieces import fall
-from derive.emit.kernels.places import least_arrival, places
+from derive.emit.kernels.arrivals import least_arrival
+from derive.emit.kernels.levels import fall
+from derive.emit.kernels.places import about, places
 
 SAFE = 1e-9  # bounds count where they hold by this much more than they must
 
@@ -16,7 +17,7 @@ def samples_on(beta, eta, field_angle, length, piece, sample, short):
     """Samples of a piece, near enough for all crossings; short: the rod is shorter than any half-swing."""
 
     def too_low(place):
-        return least_arrival(beta, eta, piece, place) > (1 + SAFE) * length
+        return least_arrival(beta, eta, piece, *about(piece, place)) > (1 + SAFE) * length
 
     def fallen(one, other):
         return fall_between(eta, piece, one, other)

@@ -10,8 +10,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import ceil, deepest, epsilon, floor, pi, sqrt
+from derive.emit.kernels.levels import turn_to
 from derive.emit.kernels.motion import Motion, motion_at
-from derive.emit.kernels.pieces import turn_to
 from derive.emit.kernels.roots import bracketed_root, dip
 from derive.emit.kernels.sampling import samples_on
 from derive.emit.kernels.swing import Phase, lengths, phase_of

@@ -1,0 +1,78 @@
+"""What the ranges of tip angles are told by: the clamp among the directions, and the level of a ridge."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from derive.emit.kernels.arithmetic import any_of, epsilon, floor, pi, pick
+from derive.emit.kernels.landscape import Landscape
+from derive.emit.kernels.levels import fall, reach, ridge_fall, turn_to
+from derive.emit.kernels.rests import offset_from, pick_rest
+
+
+class Clamp(NamedTuple):
+    """The clamp angle in a landscape: whole turns, and its offset from each direction without moment."""
+
+    turns: int
+    offsets: tuple[float, ...]
+
+
+def clamp_in(rests, angle):
+    """Whole turns such that the clamp lies from the first hill up to, but not at, its like a turn on."""
+    turns = floor((angle - rests[0].angle) / (2 * pi))
+    for _ in range(3):
+        offsets = tuple(offset_from(rest, angle, turns) for rest in rests)
+        shift = pick(offsets[0] < 0, -1, pick(offsets[-1] >= 0, 1, 0))
+        if not any_of(shift != 0):
+            break
+        turns = turns + shift
+    return Clamp(turns, offsets)
+
+
+class Ground(NamedTuple):
+    """What the ranges of a rod are told by: its landscape and the clamp's offsets from the directions there.
+
+    drop: V(hill) − V(ridge); level: from the hill to the level of the ridge, depth: from there to the well; by_hill:
+    level is told by the hill, depth by the well if not; height: V(ridge) − V(clamp). They are 0 where no ridge is lower
+    than the hill.
+    """
+
+    eta: float
+    scene: Landscape
+    at: tuple[float, ...]
+    drop: float
+    level: float
+    depth: float
+    by_hill: bool
+    height: float
+
+
+def ground_of(beta, eta, field_angle, scene, clamp):
+    """The ground of a rod."""
+    rests, at = scene.rests, clamp.offsets
+    if len(rests) == 3:
+        return level_ground(eta, scene, at)
+    drop = 0 if scene.level else ridge_fall(beta, eta, field_angle, rests[0], rests[2])
+    # A ridge lower by less than this would be passed only from within its square root of the hill.
+    if drop <= epsilon() ** 17 * (beta + eta):
+        return level_ground(eta, scene._replace(level=True, even=True), at)
+    return ridge_ground(eta, scene, at, drop)
+
+
+def level_ground(eta, scene, at):
+    """The ground without a ridge lower than the hill."""
+    return Ground(eta, scene, at, 0, 0, 0, True, 0)
+
+
+def ridge_ground(eta, scene, at, drop):
+    """The ground with a lower ridge."""
+    rests = scene.rests
+    down, above = turn_to(rests[0], rests[1]), fall(eta, rests[2], 0, turn_to(rests[2], rests[1]))
+    # Of a ridge that is next to its wells V tells at the hill nothing.
+    by_hill = drop < above
+    rest, amount = pick_rest(by_hill, rests[0], rests[1]), pick(by_hill, drop, above)
+    distance = reach(eta, rest, amount, down, pick(by_hill, 1, -1))
+    level, depth = pick(by_hill, distance, down - distance), pick(by_hill, down - distance, distance)
+    # Near the far hill V says which is higher only by the distance from that hill.
+    height = pick(at[2] < -at[4], fall(eta, rests[2], 0, at[2]), fall(eta, rests[4], 0, at[4]) - drop)
+    return Ground(eta, scene, at, drop, level, depth, by_hill, height)

@@ -1,0 +1,57 @@
+"""The kernels of ``ground`` on arrays.
+
+Emitted by `derive emit` from kernels/ground.py: do not edit, change that file.
+
+Digest of the inputs: sha256 08b670452a26f10a14f903a5f0308a2c6fe1791a78422f152256e316eb53f7ef
+"""
+
+from __future__ import annotations
+
+from derive.emit.kernels.arithmetic import epsilon, pi
+from derive.emit.kernels.array_arithmetic import any_of, each_floor, each_pick
+from derive.emit.kernels.ground import Clamp, Ground
+from derive.emit.kernels.levels_each import fall_each, reach_each, ridge_fall_each, turn_to_each
+from derive.emit.kernels.rests_each import offset_from_each, pick_rest_each
+
+
+def clamp_in_each(rests, angle):
+    """Whole turns such that the clamp lies from the first hill up to, but not at, its like a turn on."""
+    turns = each_floor((angle - rests[0].angle) / (2 * pi))
+    for _ in range(3):
+        offsets = tuple(offset_from_each(rest, angle, turns) for rest in rests)
+        shift = each_pick(offsets[0] < 0, -1, each_pick(offsets[-1] >= 0, 1, 0))
+        if not any_of(shift != 0):
+            break
+        turns = turns + shift
+    return Clamp(turns, offsets)
+
+
+def ground_of_each(beta, eta, field_angle, scene, clamp):
+    """The ground of a rod."""
+    rests, at = scene.rests, clamp.offsets
+    if len(rests) == 3:
+        return level_ground_each(eta, scene, at)
+    drop = 0 if scene.level else ridge_fall_each(beta, eta, field_angle, rests[0], rests[2])
+    # A ridge lower by less than this would be passed only from within its square root of the hill.
+    if drop <= epsilon() ** 17 * (beta + eta):
+        return level_ground_each(eta, scene._replace(level=True, even=True), at)
+    return ridge_ground_each(eta, scene, at, drop)
+
+
+def level_ground_each(eta, scene, at):
+    """The ground without a ridge lower than the hill."""
+    return Ground(eta, scene, at, 0, 0, 0, True, 0)
+
+
+def ridge_ground_each(eta, scene, at, drop):
+    """The ground with a lower ridge."""
+    rests = scene.rests
+    down, above = turn_to_each(rests[0], rests[1]), fall_each(eta, rests[2], 0, turn_to_each(rests[2], rests[1]))
+    # Of a ridge that is next to its wells V tells at the hill nothing.
+    by_hill = drop < above
+    rest, amount = pick_rest_each(by_hill, rests[0], rests[1]), each_pick(by_hill, drop, above)
+    distance = reach_each(eta, rest, amount, down, each_pick(by_hill, 1, -1))
+    level, depth = each_pick(by_hill, distance, down - distance), each_pick(by_hill, down - distance, distance)
+    # Near the far hill V says which is higher only by the distance from that hill.
+    height = each_pick(at[2] < -at[4], fall_each(eta, rests[2], 0, at[2]), fall_each(eta, rests[4], 0, at[4]) - drop)
+    return Ground(eta, scene, at, drop, level, depth, by_hill, height)
