@@ -23,8 +23,7 @@ def least_arrival(beta, eta, piece, offset, left):
     share = (left - rest) / max(offset, SMALLEST)
     away, steepness = sqrt(share) * sqrt(2 + share), sqrt(steep)
     growth = share + away
-    time = (
-        pick(growth < 1e-3, 2 * growth / (2 + growth), log(1 + growth)) / steepness
-    )  # both are no more than ln(1 + x)
+    # Neither is more than ln(1 + x).
+    logarithm = pick(growth < 1e-3, 2 * growth / (2 + growth), log(1 + growth))
     speed = steepness * away * offset
-    return time + 2 * rest / (speed + sqrt(speed * speed + 2 * most * rest) + SMALLEST)
+    return logarithm / steepness + 2 * rest / (speed + sqrt(speed * speed + 2 * most * rest) + SMALLEST)

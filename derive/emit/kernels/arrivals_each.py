@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/arrivals.py: do not edit, change that file.
 
-Digest of the inputs: sha256 534f6c48c4cd548e3e081fd22f821f60e1cab92cbdd65e885b0e53d3894083a2
+Digest of the inputs: sha256 ff7b376af3be26f88f7b439172df81287616a7470000e081ea39b115f2714648
 """
 
 from __future__ import annotations
@@ -27,6 +27,7 @@ def least_arrival_each(beta, eta, piece, offset, left):
     share = (left - rest) / each_max(offset, SMALLEST)
     away, steepness = each_sqrt(share) * each_sqrt(2 + share), each_sqrt(steep)
     growth = share + away
-    time = each_pick(growth < 0.001, 2 * growth / (2 + growth), each_log(1 + growth)) / steepness  # both are no more than ln(1 + x)
+    # Neither is more than ln(1 + x).
+    logarithm = each_pick(growth < 0.001, 2 * growth / (2 + growth), each_log(1 + growth))
     speed = steepness * away * offset
-    return time + 2 * rest / (speed + each_sqrt(speed * speed + 2 * most * rest) + SMALLEST)
+    return logarithm / steepness + 2 * rest / (speed + each_sqrt(speed * speed + 2 * most * rest) + SMALLEST)
