@@ -89,7 +89,7 @@ class Equilibrium(NamedTuple):
     y: float
     z: float
     energy: float
-    index: int
+    index: int  # type: ignore[assignment]  # in the place of tuple.index
     rod: Rod
     swing: Swing | None
 

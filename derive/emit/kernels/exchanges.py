@@ -32,7 +32,7 @@ class Exchange(NamedTuple):
     clamp_curvature: float
     y: float
     z: float
-    index: int
+    index: int  # type: ignore[assignment]  # in the place of tuple.index
     kind: str
 
 

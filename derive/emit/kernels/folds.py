@@ -26,7 +26,7 @@ class Fold(NamedTuple):
     clamp_curvature: float
     y: float
     z: float
-    index: int
+    index: int  # type: ignore[assignment]  # in the place of tuple.index
     change: int
     kind: str
 

@@ -11,7 +11,8 @@ def bracketed_root(function, places, values, blur):
     By the zero of the polynomial through the last five places at which the function is known, or by halving where that
     gains little. More places may be known than two. blur: a value that rounding may have made of zero.
     """
-    nodes, parts = [], []
+    nodes: list[float] = []
+    parts: list[float] = []
     for k in range(len(places) - 1, -1, -1):
         nodes, parts = with_node(nodes, parts, places[k], values[k])
     (a, b, *_), (value_a, value_b, *_) = places, values
