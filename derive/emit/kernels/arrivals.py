@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from derive.emit.kernels.arithmetic import log, pick, sqrt
 
-SMALLEST = 1e-300  # instead of less, where it is divided by
+TINIEST = 1e-300  # instead of less, where it is divided by
 
 
 def least_arrival(beta, eta, piece, offset, left):
@@ -20,10 +20,10 @@ def least_arrival(beta, eta, piece, offset, left):
     clamp = piece.low_offset + piece.width + piece.clamp_gap
     rest = min(left, max(clamp - min(clamp, most / steep), 0))
     # Up to the offset from which on the other bound is the lesser: by the share that is left of the way there.
-    share = (left - rest) / max(offset, SMALLEST)
+    share = (left - rest) / max(offset, TINIEST)
     away, steepness = sqrt(share) * sqrt(2 + share), sqrt(steep)
     growth = share + away
     # Neither is more than ln(1 + x).
     logarithm = pick(growth < 1e-3, 2 * growth / (2 + growth), log(1 + growth))
     speed = steepness * away * offset
-    return logarithm / steepness + 2 * rest / (speed + sqrt(speed * speed + 2 * most * rest) + SMALLEST)
+    return logarithm / steepness + 2 * rest / (speed + sqrt(speed * speed + 2 * most * rest) + TINIEST)

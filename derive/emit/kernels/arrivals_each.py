@@ -2,13 +2,13 @@
 
 Emitted by `derive emit` from kernels/arrivals.py: do not edit, change that file.
 
-Digest of the inputs: sha256 ff7b376af3be26f88f7b439172df81287616a7470000e081ea39b115f2714648
+Digest of the inputs: sha256 1b96874bb345013534309573f8b0bf79f11b826ecca7571734277347db824522
 """
 
 from __future__ import annotations
 
 from derive.emit.kernels.array_arithmetic import each_log, each_max, each_min, each_pick, each_sqrt
-from derive.emit.kernels.arrivals import SMALLEST
+from derive.emit.kernels.arrivals import TINIEST
 
 
 def least_arrival_each(beta, eta, piece, offset, left):
@@ -24,10 +24,10 @@ def least_arrival_each(beta, eta, piece, offset, left):
     clamp = piece.low_offset + piece.width + piece.clamp_gap
     rest = each_min(left, each_max(clamp - each_min(clamp, most / steep), 0))
     # Up to the offset from which on the other bound is the lesser: by the share that is left of the way there.
-    share = (left - rest) / each_max(offset, SMALLEST)
+    share = (left - rest) / each_max(offset, TINIEST)
     away, steepness = each_sqrt(share) * each_sqrt(2 + share), each_sqrt(steep)
     growth = share + away
     # Neither is more than ln(1 + x).
     logarithm = each_pick(growth < 0.001, 2 * growth / (2 + growth), each_log(1 + growth))
     speed = steepness * away * offset
-    return logarithm / steepness + 2 * rest / (speed + each_sqrt(speed * speed + 2 * most * rest) + SMALLEST)
+    return logarithm / steepness + 2 * rest / (speed + each_sqrt(speed * speed + 2 * most * rest) + TINIEST)
