@@ -23,7 +23,7 @@ Formulas, each proved equal to its derivation:
     rj_delta_real (DLMF 19.26(iii)), rj_delta_real_each (DLMF 19.26(iii)), second_kind_step (DLMF 19.8.19),
     second_kind_step_each (DLMF 19.8.19), strength (exsl17), strength_each (exsl17), tip_cubic, tip_cubic_each,
     w_imag (DLMF 19.29(ii)), w_imag_each (DLMF 19.29(ii)), w_real (DLMF 19.29(ii)), w_real_each (DLMF 19.29(ii))
-Digest of the inputs: sha256 465ce7d9e0ce9284b7d1ec618488bfeda8b69c29efbd1fd678bd776f1e25b846
+Digest of the inputs: sha256 c18233e01eedfe718653ae1ee010d6e2da66279477b7830bec7013eec692d779
 """
 
 from __future__ import annotations
@@ -44,6 +44,7 @@ __all__ = ["Equilibrium", "Exchange", "Fold", "Sweep", "equilibria", "exchanges"
 
 # Constants
 
+TINIEST = 1e-300  # instead of less, where it is divided by
 SAFE = 1e-9  # bounds count where they hold by this much more than they must
 BLOCK = 8192  # rods at once
 FEWEST = 16  # rods that are faster on arrays than one by one
@@ -58,7 +59,6 @@ AIMS = 4  # steps towards a zero
 AIM_SPREAD = 1e-6  # distance of two shares from which they tell a slope
 NEARLY = 0.3  # how far η may be below the value at which a ridge appears, and still slow motions down, over β + η
 SHARP = 0.01  # the same from which on the dips are too narrow for the samples here
-SMALLEST = 1e-30  # instead of less, where it is divided by
 SURELY = 1e-5  # bounds count where they hold by this much more than they must
 ROUGH_SLOW = 12  # ℓ√(β + η) up to which single precision holds the places of all tips but the most extreme
 STEPS = 3  # rough steps, after which most places are right to single precision
@@ -67,6 +67,7 @@ TOLD = 1e-10  # change of a place from which the change of a length tells the sl
 HITS = 0  # as ``SECANTS``, for tips that are known nearly to rounding
 HALVINGS = 4  # of the stretch at the low end in which no motion arrives in time
 LATEST = 12.0  # places beyond which a count is its limit, but for the doubts of a hundred thousandth of all ranges
+SMALLEST = 1e-30  # instead of less, where it is divided by
 ROUGH_DEPTH = 28.0  # places up to which squares of offsets are numbers in single precision
 RANGES = 1024  # ranges at once: arrays that stay in the cache
 AROUND = np.concatenate([-0.5 ** np.arange(13), [0], 0.5 ** np.arange(12, -1, -1)])  # places about a dip
@@ -1870,26 +1871,33 @@ def sample_at(beta, eta, piece, ends, place):
     return Sample((place, swing, arrival, stay, phase, regular))
 
 
-def least_arrival(beta, eta, piece, place):
-    """A length before which no motion from a place, or from a lower one, arrives.
+def least_arrival(beta, eta, piece, offset, left):
+    """A length before which no motion from an offset from the hill, or from a lower one, arrives.
 
     θ″ is nowhere more than β + η/2, and at an offset from the hill no more than β + η times that, or than its stiffness
-    times that where the field is along it: a motion that has the lesser of these two gets ahead of it.
+    times that where the field is along it: a motion that has the lesser of these two gets ahead of it. left: from
+    there to the clamp.
     """
     hill = piece.basin.hill
     # β + η cos u and η cos u − β by sin u: both are largest at u = 0.
     steep, most = hill.stiffness if hill.double_cosine == 1 else beta + eta, beta + eta / 2
-    share = 1 / (1 + exp(-max(place, -deepest(piece.width))))
-    offset = piece.low_offset + piece.width * share
     clamp = piece.low_offset + piece.width + piece.clamp_gap
-    bend = min(clamp, most / steep)
-    arrival, speed = 0.0, 0.0
-    if offset < bend:
-        ratio = bend / offset
-        away = sqrt((ratio - 1) * (ratio + 1))
-        arrival, speed = log(ratio + away) / sqrt(steep), sqrt(steep) * away * offset
-    rest = clamp - max(offset, bend)
-    return arrival + (2 * rest / (speed + sqrt(speed * speed + 2 * most * rest)) if rest > 0 else 0)
+    rest = min(left, max(clamp - min(clamp, most / steep), 0))
+    # Up to the offset from which on the other bound is the lesser: by the share that is left of the way there.
+    share = (left - rest) / max(offset, TINIEST)
+    away, steepness = sqrt(share) * sqrt(2 + share), sqrt(steep)
+    growth = share + away
+    # Neither is more than ln(1 + x).
+    logarithm = 2 * growth / (2 + growth) if growth < 0.001 else log(1 + growth)
+    speed = steepness * away * offset
+    return logarithm / steepness + 2 * rest / (speed + sqrt(speed * speed + 2 * most * rest) + TINIEST)
+
+
+def about(piece, place):
+    """How far a place of a piece is from the hill and from the clamp."""
+    place = max(place, -deepest(piece.width))
+    from_hill = piece.low_offset + piece.width / (1 + exp(-place))
+    return from_hill, piece.clamp_gap + (piece.width / (1 + exp(place)) if place < deepest(piece.width) else 0)
 
 
 def fall_between(eta, piece, one, other):
@@ -2093,7 +2101,7 @@ def samples_on(beta, eta, length, piece, sample, short):
     """Samples of a piece, near enough for all crossings; short: the rod is shorter than any half-swing."""
 
     def too_low(place):
-        return least_arrival(beta, eta, piece, place) > (1 + SAFE) * length
+        return least_arrival(beta, eta, piece, *about(piece, place)) > (1 + SAFE) * length
 
     def fallen(one, other):
         return fall_between(eta, piece, one, other)
@@ -2215,7 +2223,9 @@ def bracketed_root(function, places, values, blur):
     By the zero of the polynomial through the last five places at which the function is known, or by halving where that
     gains little. More places may be known than two. blur: a value that rounding may have made of zero.
     """
-    nodes, parts = [], []
+
+    nodes: list[float] = []
+    parts: list[float] = []
     for k in range(len(places) - 1, -1, -1):
         nodes, parts = with_node(nodes, parts, places[k], values[k])
     (a, b, *_), (value_a, value_b, *_) = places, values
@@ -3423,25 +3433,32 @@ def by_dips(group, wanted):
     return parts, group.rods.case[wanted & ~plain & ~wide]
 
 
-def least_arrival_each(rods, piece, offset):
+def least_arrival_each(beta, eta, piece, offset, left):
     """A length before which no motion from an offset from the hill, or from a lower one, arrives.
 
-    θ″ is nowhere more than β + η/2, and at an offset from the hill no more than β + η times that: a motion that has
-    the lesser of these two gets ahead of it.
+    θ″ is nowhere more than β + η/2, and at an offset from the hill no more than β + η times that, or than its stiffness
+    times that where the field is along it: a motion that has the lesser of these two gets ahead of it. left: from
+    there to the clamp.
     """
-    steep, most = rods.beta + rods.eta, rods.beta + rods.eta / 2
+    hill = piece.basin.hill
+    # β + η cos u and η cos u − β by sin u: both are largest at u = 0.
+    steep, most = each_pick(hill.double_cosine == 1, hill.stiffness, beta + eta), beta + eta / 2
     clamp = piece.low_offset + piece.width + piece.clamp_gap
-    bend = np.minimum(clamp, most / steep)
-    ratio = np.maximum(bend / np.maximum(offset, SMALLEST), 1)
-    arrival = np.arccosh(ratio) / np.sqrt(steep)
-    speed = np.sqrt(steep * (ratio - 1) * (ratio + 1)) * offset
-    rest = np.maximum(clamp - np.maximum(offset, bend), 0)
-    return arrival + 2 * rest / (speed + np.sqrt(speed * speed + 2 * most * rest) + SMALLEST)
+    rest = np.minimum(left, np.maximum(clamp - np.minimum(clamp, most / steep), 0))
+    # Up to the offset from which on the other bound is the lesser: by the share that is left of the way there.
+    share = (left - rest) / np.maximum(offset, TINIEST)
+    away, steepness = np.sqrt(share) * np.sqrt(2 + share), np.sqrt(steep)
+    growth = share + away
+    # Neither is more than ln(1 + x).
+    logarithm = each_pick(growth < 0.001, 2 * growth / (2 + growth), np.log(1 + growth))
+    speed = steepness * away * offset
+    return logarithm / steepness + 2 * rest / (speed + np.sqrt(speed * speed + 2 * most * rest) + TINIEST)
 
 
 def in_time(rods, piece):
     """Which ranges have a motion that may arrive in time."""
-    return least_arrival_each(rods, piece, piece.low_offset + piece.width) <= (1 + SURELY) * rods.length
+    first = least_arrival_each(rods.beta, rods.eta, piece, piece.low_offset + piece.width, piece.clamp_gap)
+    return first <= (1 + SURELY) * rods.length
 
 
 def groups(rods):
@@ -3940,7 +3957,9 @@ def ends(rods, piece):
     for k in range(1, HALVINGS + 1):
         trial = late - first * 0.5**k
         offset = piece.low_offset + piece.width / (1 + np.exp(-trial))
-        late = np.where(least_arrival_each(rods, piece, offset) > (1 + SURELY) * rods.length, trial, late)
+        left = piece.clamp_gap + piece.width / (1 + np.exp(trial))
+        least = least_arrival_each(rods.beta, rods.eta, piece, offset, left)
+        late = np.where(least > (1 + SURELY) * rods.length, trial, late)
     if piece.high_kind == "level":
         last = 2 * rods.slow + rounding
     elif piece.high_kind == "turn":
@@ -4732,7 +4751,7 @@ def marks_on(rod, turns, piece, where, wanted):
         return probe(rod, piece, ends, place)
 
     def too_low(place):
-        return least_arrival(rod.beta, rod.eta, piece, place) > (1 + WINDOW) * rod.length
+        return least_arrival(rod.beta, rod.eta, piece, *about(piece, place)) > (1 + WINDOW) * rod.length
 
     if too_low(inf):
         return
@@ -5110,7 +5129,7 @@ class Equilibrium(Record):
     y: float
     z: float
     energy: float
-    index: int
+    index: int  # type: ignore[assignment]  # in the place of tuple.index
     rod: Rod
     swing: Swing | None
 
@@ -5173,7 +5192,7 @@ class Fold(Record):
     clamp_curvature: float
     y: float
     z: float
-    index: int
+    index: int  # type: ignore[assignment]  # in the place of tuple.index
     change: int
     kind: str
 
@@ -5207,7 +5226,7 @@ class Exchange(Record):
     clamp_curvature: float
     y: float
     z: float
-    index: int
+    index: int  # type: ignore[assignment]  # in the place of tuple.index
     kind: str
 
 

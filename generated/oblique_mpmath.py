@@ -21,7 +21,7 @@ Formulas, each proved equal to its derivation:
     rj_delta_real (DLMF 19.26(iii)), second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic, turn_level,
     turn_over (DLMF 4.21(iii)), turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7),
     w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 f5ed324b16e69b91e5707723e67fd1d051730aa13efda9df5db2d2aa309ac9e4
+Digest of the inputs: sha256 892a1b88f06d78d6668826021a7930b07e4f1d644eb62aeff3d1add5d9f51c2a
 """
 
 from __future__ import annotations
@@ -2005,26 +2005,33 @@ def sample_at(beta, eta, field_angle, piece, ends, place):
     return Sample((place, swing, arrival, stay, phase, regular))
 
 
-def least_arrival(beta, eta, piece, place):
-    """A length before which no motion from a place, or from a lower one, arrives.
+def least_arrival(beta, eta, piece, offset, left):
+    """A length before which no motion from an offset from the hill, or from a lower one, arrives.
 
     θ″ is nowhere more than β + η/2, and at an offset from the hill no more than β + η times that, or than its stiffness
-    times that where the field is along it: a motion that has the lesser of these two gets ahead of it.
+    times that where the field is along it: a motion that has the lesser of these two gets ahead of it. left: from
+    there to the clamp.
     """
     hill = piece.basin.hill
     # β + η cos u and η cos u − β by sin u: both are largest at u = 0.
-    steep, most = hill.stiffness if hill.double_cosine == 1 else beta + eta, beta + eta / 2
-    share = 1 / (1 + exp(-max(place, -deepest(piece.width))))
-    offset = piece.low_offset + piece.width * share
+    steep, most = pick(hill.double_cosine == 1, hill.stiffness, beta + eta), beta + eta / 2
     clamp = piece.low_offset + piece.width + piece.clamp_gap
-    bend = min(clamp, most / steep)
-    arrival, speed = 0.0, 0.0
-    if offset < bend:
-        ratio = bend / offset
-        away = sqrt((ratio - 1) * (ratio + 1))
-        arrival, speed = log(ratio + away) / sqrt(steep), sqrt(steep) * away * offset
-    rest = clamp - max(offset, bend)
-    return arrival + (2 * rest / (speed + sqrt(speed * speed + 2 * most * rest)) if rest > 0 else 0)
+    rest = min(left, max(clamp - min(clamp, most / steep), 0))
+    # Up to the offset from which on the other bound is the lesser: by the share that is left of the way there.
+    share = (left - rest) / max(offset, mpf("1e-300"))
+    away, steepness = sqrt(share) * sqrt(2 + share), sqrt(steep)
+    growth = share + away
+    # Neither is more than ln(1 + x).
+    logarithm = pick(growth < mpf("0.001"), 2 * growth / (2 + growth), log(1 + growth))
+    speed = steepness * away * offset
+    return logarithm / steepness + 2 * rest / (speed + sqrt(speed * speed + 2 * most * rest) + mpf("1e-300"))
+
+
+def about(piece, place):
+    """How far a place of a piece is from the hill and from the clamp."""
+    place = max(place, -deepest(piece.width))
+    from_hill = piece.low_offset + piece.width / (1 + exp(-place))
+    return from_hill, piece.clamp_gap + (piece.width / (1 + exp(place)) if place < deepest(piece.width) else 0)
 
 
 def fall_between(eta, piece, one, other):
@@ -2224,7 +2231,7 @@ def samples_on(beta, eta, field_angle, length, piece, sample, short):
     """Samples of a piece, near enough for all crossings; short: the rod is shorter than any half-swing."""
 
     def too_low(place):
-        return least_arrival(beta, eta, piece, place) > (1 + mpf("1e-09")) * length
+        return least_arrival(beta, eta, piece, *about(piece, place)) > (1 + mpf("1e-09")) * length
 
     def fallen(one, other):
         return fall_between(eta, piece, one, other)
@@ -2346,7 +2353,9 @@ def bracketed_root(function, places, values, blur):
     By the zero of the polynomial through the last five places at which the function is known, or by halving where that
     gains little. More places may be known than two. blur: a value that rounding may have made of zero.
     """
-    nodes, parts = [], []
+
+    nodes: list[mpf] = []
+    parts: list[mpf] = []
     for k in range(len(places) - 1, -1, -1):
         nodes, parts = with_node(nodes, parts, places[k], values[k])
     (a, b, *_), (value_a, value_b, *_) = places, values
@@ -3329,7 +3338,7 @@ def marks_on(rod, turns, piece, where, wanted):
         return probe(rod, piece, ends, place)
 
     def too_low(place):
-        return least_arrival(rod.beta, rod.eta, piece, place) > (1 + WINDOW) * rod.length
+        return least_arrival(rod.beta, rod.eta, piece, *about(piece, place)) > (1 + WINDOW) * rod.length
 
     if too_low(inf):
         return
@@ -3712,7 +3721,7 @@ class Equilibrium(Record):
     y: mpf
     z: mpf
     energy: mpf
-    index: int
+    index: int  # type: ignore[assignment]  # in the place of tuple.index
     rod: Rod
     swing: Swing | None
 
@@ -3837,7 +3846,7 @@ class Fold(Record):
     clamp_curvature: mpf
     y: mpf
     z: mpf
-    index: int
+    index: int  # type: ignore[assignment]  # in the place of tuple.index
     change: int
     kind: str
 
@@ -3877,7 +3886,7 @@ class Exchange(Record):
     clamp_curvature: mpf
     y: mpf
     z: mpf
-    index: int
+    index: int  # type: ignore[assignment]  # in the place of tuple.index
     kind: str
 
 

@@ -20,7 +20,7 @@ Formulas, each proved equal to its derivation:
     rj_delta_real (DLMF 19.26(iii)), second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic, turn_level,
     turn_over (DLMF 4.21(iii)), turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7),
     w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 fdddde33282ae26fc6955fb74da07767a489136d7213c586a9d2d45f4a44002d
+Digest of the inputs: sha256 7ffaaac30a07d8e7e0a6314eca3a3b4c396d88148ccc062225e1b9010e7ae472
 """
 
 from __future__ import annotations
@@ -1675,26 +1675,33 @@ def sample_at(beta, eta, piece, ends, place):
     return Sample((place, swing, arrival, stay, phase, regular))
 
 
-def least_arrival(beta, eta, piece, place):
-    """A length before which no motion from a place, or from a lower one, arrives.
+def least_arrival(beta, eta, piece, offset, left):
+    """A length before which no motion from an offset from the hill, or from a lower one, arrives.
 
     θ″ is nowhere more than β + η/2, and at an offset from the hill no more than β + η times that, or than its stiffness
-    times that where the field is along it: a motion that has the lesser of these two gets ahead of it.
+    times that where the field is along it: a motion that has the lesser of these two gets ahead of it. left: from
+    there to the clamp.
     """
     hill = piece.basin.hill
     # β + η cos u and η cos u − β by sin u: both are largest at u = 0.
-    steep, most = hill.stiffness if hill.double_cosine == 1 else beta + eta, beta + eta / 2
-    share = 1 / (1 + exp(-max(place, -deepest(piece.width))))
-    offset = piece.low_offset + piece.width * share
+    steep, most = pick(hill.double_cosine == 1, hill.stiffness, beta + eta), beta + eta / 2
     clamp = piece.low_offset + piece.width + piece.clamp_gap
-    bend = min(clamp, most / steep)
-    arrival, speed = 0.0, 0.0
-    if offset < bend:
-        ratio = bend / offset
-        away = sqrt((ratio - 1) * (ratio + 1))
-        arrival, speed = log(ratio + away) / sqrt(steep), sqrt(steep) * away * offset
-    rest = clamp - max(offset, bend)
-    return arrival + (2 * rest / (speed + sqrt(speed * speed + 2 * most * rest)) if rest > 0 else 0)
+    rest = min(left, max(clamp - min(clamp, most / steep), 0))
+    # Up to the offset from which on the other bound is the lesser: by the share that is left of the way there.
+    share = (left - rest) / max(offset, mpf("1e-300"))
+    away, steepness = sqrt(share) * sqrt(2 + share), sqrt(steep)
+    growth = share + away
+    # Neither is more than ln(1 + x).
+    logarithm = pick(growth < mpf("0.001"), 2 * growth / (2 + growth), log(1 + growth))
+    speed = steepness * away * offset
+    return logarithm / steepness + 2 * rest / (speed + sqrt(speed * speed + 2 * most * rest) + mpf("1e-300"))
+
+
+def about(piece, place):
+    """How far a place of a piece is from the hill and from the clamp."""
+    place = max(place, -deepest(piece.width))
+    from_hill = piece.low_offset + piece.width / (1 + exp(-place))
+    return from_hill, piece.clamp_gap + (piece.width / (1 + exp(place)) if place < deepest(piece.width) else 0)
 
 
 def fall_between(eta, piece, one, other):
@@ -1898,7 +1905,7 @@ def samples_on(beta, eta, length, piece, sample, short):
     """Samples of a piece, near enough for all crossings; short: the rod is shorter than any half-swing."""
 
     def too_low(place):
-        return least_arrival(beta, eta, piece, place) > (1 + mpf("1e-09")) * length
+        return least_arrival(beta, eta, piece, *about(piece, place)) > (1 + mpf("1e-09")) * length
 
     def fallen(one, other):
         return fall_between(eta, piece, one, other)
@@ -2020,7 +2027,9 @@ def bracketed_root(function, places, values, blur):
     By the zero of the polynomial through the last five places at which the function is known, or by halving where that
     gains little. More places may be known than two. blur: a value that rounding may have made of zero.
     """
-    nodes, parts = [], []
+
+    nodes: list[mpf] = []
+    parts: list[mpf] = []
     for k in range(len(places) - 1, -1, -1):
         nodes, parts = with_node(nodes, parts, places[k], values[k])
     (a, b, *_), (value_a, value_b, *_) = places, values
@@ -3000,7 +3009,7 @@ def marks_on(rod, turns, piece, where, wanted):
         return probe(rod, piece, ends, place)
 
     def too_low(place):
-        return least_arrival(rod.beta, rod.eta, piece, place) > (1 + WINDOW) * rod.length
+        return least_arrival(rod.beta, rod.eta, piece, *about(piece, place)) > (1 + WINDOW) * rod.length
 
     if too_low(inf):
         return
@@ -3378,7 +3387,7 @@ class Equilibrium(Record):
     y: mpf
     z: mpf
     energy: mpf
-    index: int
+    index: int  # type: ignore[assignment]  # in the place of tuple.index
     rod: Rod
     swing: Swing | None
 
@@ -3502,7 +3511,7 @@ class Fold(Record):
     clamp_curvature: mpf
     y: mpf
     z: mpf
-    index: int
+    index: int  # type: ignore[assignment]  # in the place of tuple.index
     change: int
     kind: str
 
@@ -3541,7 +3550,7 @@ class Exchange(Record):
     clamp_curvature: mpf
     y: mpf
     z: mpf
-    index: int
+    index: int  # type: ignore[assignment]  # in the place of tuple.index
     kind: str
 
 
