@@ -241,6 +241,7 @@ def without_kernels(text: str, formulas: Collection[str]) -> str:
     return ast.unparse(tree)
 
 
+@pytest.mark.long
 def test_a_wrong_formula_is_refused() -> None:
     true = true_module()
     text = without_kernels(true.text, {formula.name for formula in true.formulas})

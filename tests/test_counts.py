@@ -38,6 +38,7 @@ def random_rods(number: int, seed: int, field_angle: float | None = None) -> lis
     return found
 
 
+@pytest.mark.long
 def test_it_agrees_with_the_plain_scan() -> None:
     for found in count(MODERATE):
         assert found.tips is not None

@@ -44,6 +44,7 @@ def records(folder: Path) -> list[dict[str, Any]]:
     return [json.loads(line) for line in (folder / FILE).read_text(encoding="utf-8").splitlines()[1:]]
 
 
+@pytest.mark.long
 def test_a_run_that_was_killed_goes_on_and_errors_are_the_same_to_the_digit(tmp_path: Path) -> None:
     folder, other = tmp_path / "killed", tmp_path / "whole"
     code = KILLED.replace("OUT", folder.as_posix())

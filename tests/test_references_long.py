@@ -67,6 +67,7 @@ def lingering(rod: Rod, log_energy: float, near: float = 0.0) -> tuple[Rod, Gues
     return there, lambda at: (np.interp(at, s, theta), np.interp(at, s, curvature))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("rod", SOME, ids=str)
 def test_it_is_what_plain_shooting_gives(rod: Rod) -> None:
     for tip in brute_force(rod):
