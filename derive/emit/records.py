@@ -67,7 +67,7 @@ class _Made(ast.NodeTransformer):
 
     def _values(self, node: ast.Call) -> list[ast.expr]:
         """The values in the order of the fields; EmitError if they are not one for each."""
-        record = self.records[node.func.id]  # type: ignore[attr-defined]
+        record = self.records[node.func.id]  # type: ignore[attr-defined]  # visit_Call has seen a Name
         fields, starred = record.parameters, any(isinstance(one, ast.Starred) for one in node.args)
         named = {str(keyword.arg): keyword.value for keyword in node.keywords}
         rest = () if starred else fields[len(node.args) :]
