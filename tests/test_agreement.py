@@ -172,7 +172,7 @@ KERNEL_MUTANTS = [
     ),
     pytest.param("block_tips", "= times * change", "= times / 2 * change", id="half of the swings in a sweep"),
     pytest.param("block_pieces", "~strong & ~alone", "strong & ~alone", id="one well for two in a sweep"),
-    pytest.param("block_roots", "blur = 4 * epsilon()", "blur = 1e-3", id="tips of a sweep left rough"),
+    pytest.param("block_tips", "* heading.cosine + y", "* heading.cosine - y", id="a place of a sweep mirrored"),
 ]
 
 
