@@ -234,6 +234,17 @@ def test_a_wrong_kernel_is_refused(trial: Any, file: str, old: str, new: str) ->
     assert refusals(with_kernel(file, old, new), trial)
 
 
+@pytest.mark.long
+def test_tips_of_a_sweep_left_rough_are_refused(trial: Any) -> None:
+    """Where tips of short rods are aimed at less often, and then taken as they are."""
+    kernels = read_kernels()
+    changes = {"block_shots": ("AIMS = 4 ", "AIMS = 1 "), "block_roots": ("blur = 4 * epsilon()", "blur = 1e-3")}
+    for file, (old, rough) in changes.items():
+        assert kernels[file].count(old) == 1, "the kernel has changed: mend the mutant"
+        kernels = {**kernels, file: kernels[file].replace(old, rough)}
+    assert any(line.startswith("sweep") for line in refusals(emitted(kernels), trial))
+
+
 def without_kernels(text: str, formulas: Collection[str]) -> str:
     """A module of which only the formulas are left: all that the proof reads of it, in a tenth of the text."""
     tree = ast.parse(text)
