@@ -146,9 +146,10 @@ def arc_to(beta, eta, heading, motion, point, square, rest, extent):
     first, second = motion.end / 2, motion.middle / 2
     q = rest_stiffness(beta, eta, heading.cosine, heading.double_cosine)
     m = tip_cubic(beta, eta, heading.sine, heading.double_sine)
-    kink = kink_at(first, second, point, root, q, m, square, rest)
-    growth = second_kind(first, second, square, rest, extent)
-    return Arc(y, z, arc_square(beta, first, root, extent, y, kink, growth))
+    kink = kink_at(motion, first, second, point, root, q, m, square, rest)
+    turned, lag = second_kind(first, second, square, rest, extent)
+    sq = -beta * y - 2 * (kink + 4 * (second - first) * (second + first) * turned + 2 * (first * first - root) * lag)
+    return Arc(y, z, sq)
 
 
 def shift(eta, heading, motion, point, root, square, rest):
@@ -161,15 +162,18 @@ def shift(eta, heading, motion, point, root, square, rest):
     return w_real(b, third.imag), w_imag(b, third.real)
 
 
-def kink_at(first, second, point, root, q, m, square, rest):
+def kink_at(motion, first, second, point, root, q, m, square, rest):
     """The part of η∫cos²(θ − α) without integral; towards the tip its terms are large and cancel in the first form."""
     b, x, product = point.strength, point.pole, point.product
     delta = larger(phase_rate(first, second, square, rest), second * sqrt(square))
     across, near_root = sqrt(square * rest), sqrt(point.one)
     others = others_sum(q, root)
-    gap = pole_gap(x, abs(x), others, others_product(b, m, root, others), product)
-    far = arc_kink(square, delta, across, b, x, near_root, product)
-    return pick(x > 0.25, arc_kink_tip(first, second, delta, across, b, x, near_root, gap), far)
+    r = others_product(b, m, root, others)
+    c = 2 * (first * first - root)
+    lift = pair_lift(sqrt(motion.near), sqrt(motion.far), motion.uneven, motion.half_cosine, square, rest)
+    n = b * b * (2 * lift - 2 * others + c) - x * (2 * r - c * (others * x - r) / lift)
+    far = arc_kink(square, delta, across, b, x, near_root, product) + c * across / delta
+    return pick(x > 0.25, across / (2 * delta) * n / (b * b + x * x), far)
 
 
 def rj_pair(x, product, root_sum, p, lift, less, twist):
