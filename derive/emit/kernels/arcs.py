@@ -34,7 +34,6 @@ from derive.emit.kernels.formulas import (
     phase_rate,
     point_near,
     point_pole,
-    pole_gap,
     rest_stiffness,
     rj_delta_imag,
     rj_delta_real,
@@ -148,8 +147,7 @@ def arc_to(beta, eta, heading, motion, point, square, rest, extent):
     m = tip_cubic(beta, eta, heading.sine, heading.double_sine)
     kink = kink_at(motion, first, second, point, root, q, m, square, rest)
     turned, lag = second_kind(first, second, square, rest, extent)
-    sq = -beta * y - 2 * (kink + 4 * (second - first) * (second + first) * turned + 2 * (first * first - root) * lag)
-    return Arc(y, z, sq)
+    return Arc(y, z, arc_square(beta, first, second, root, y, kink, turned, lag))
 
 
 def shift(eta, heading, motion, point, root, square, rest):
@@ -166,14 +164,11 @@ def kink_at(motion, first, second, point, root, q, m, square, rest):
     """The part of η∫cos²(θ − α) without integral; towards the tip its terms are large and cancel in the first form."""
     b, x, product = point.strength, point.pole, point.product
     delta = larger(phase_rate(first, second, square, rest), second * sqrt(square))
-    across, near_root = sqrt(square * rest), sqrt(point.one)
-    others = others_sum(q, root)
-    r = others_product(b, m, root, others)
-    c = 2 * (first * first - root)
+    across, others = sqrt(square * rest), others_sum(q, root)
+    both = others_product(b, m, root, others)
     lift = pair_lift(sqrt(motion.near), sqrt(motion.far), motion.uneven, motion.half_cosine, square, rest)
-    n = b * b * (2 * lift - 2 * others + c) - x * (2 * r - c * (others * x - r) / lift)
-    far = arc_kink(square, delta, across, b, x, near_root, product) + c * across / delta
-    return pick(x > 0.25, across / (2 * delta) * n / (b * b + x * x), far)
+    far = arc_kink(first, square, delta, across, b, x, root, sqrt(point.one), product)
+    return pick(x > 0.25, arc_kink_tip(first, delta, across, b, x, root, others, both, lift), far)
 
 
 def rj_pair(x, product, root_sum, p, lift, less, twist):

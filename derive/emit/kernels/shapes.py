@@ -59,7 +59,7 @@ def angle_and_position(equilibrium, s, position=True):
         return angle, bend * (left / length), equilibrium.y * share, equilibrium.z * share
     station = station_of(rod, swing, ldexp(s, rod.scale))
     sign = -1 if station.whole % 2 == 1 else 1
-    theta, speed, arc = on_swing(rod, swing, station, position)
+    theta, turned, speed, arc = on_swing(rod, swing, station, position)
     # Along the tip's direction the rod is as long as it is; only what it departs by from that has been computed.
     y = s * swing.heading.cosine + ldexp(swing.total.y - station.whole * swing.arc.y - arc.y, -rod.scale)
     z = s * swing.heading.sine + ldexp(swing.total.z - station.whole * swing.arc.z - arc.z, -rod.scale)
@@ -98,12 +98,12 @@ def on_swing(rod, swing, station, position):
     first, left, behind, _ = parts(station.from_far, stay.far, regular, stay.middle)
     if station.whole % 2 == 1:
         middle, far = behind, first
-    theta, speed, arc = regular_part(rod, swing, station, here, left, position)
+    theta, turned, speed, arc = regular_part(rod, swing, station, here, left, position)
     for straight, extent in ((swing.middle_angle, middle), (swing.far_angle, far)):
         if extent > 0:
             turned_y, turned_z = cos(straight) - swing.heading.cosine, sin(straight) - swing.heading.sine
             arc = Arc(arc.y + extent * turned_y, arc.z + extent * turned_z, arc.square)
-    return theta, speed, arc
+    return theta, turned, speed, arc
 
 
 def parts(length, stay, regular, middle_stay):
@@ -125,24 +125,24 @@ def regular_part(rod, swing, station, here, left, position):
     if here <= epsilon() * left:  # where the square of the phase may underflow
         if back and position:
             _, arc = way_back(rod, swing.heading, motion, (1, 0), left, position)
-        return plus_quarters(motion.tip, 4 * swing.turns), 0 * here, arc
+        return plus_quarters(motion.tip, 4 * swing.turns), -motion.done, 0 * here, arc
     a, b = motion.end / 2, motion.middle / 2
     if next_to_clamp(swing, station, here, left):
         square, rest = phase_beside(a, b, swing.square, swing.rest, station, here + left)
     else:
         square, rest = phase_at(a, b, here, left)
     point, half, low = point_at(motion, square, rest)
-    theta, speed = motion.tip + 2 * half, point_speed(point.strength, low, point.one, point.product)
-    theta = plus_quarters(theta, 4 * swing.turns)
+    turned, speed = 2 * half - motion.done, point_speed(point.strength, low, point.one, point.product)
+    by_tip = station.away == 0
     if back or left < here:
         # So near the far turning point that cos²ψ underflows the lengths tell more.
         phase = phase_from_far(motion, square, rest) if rest > epsilon() ** 12 else phase_at(a, b, left, here)
         behind, arc = way_back(rod, swing.heading, motion, phase, left, position and back)
-        # The clamp angle is exact, and the turning point is told from there.
-        theta = rod.clamp_angle + (motion.left - 2 * behind) if left < here else theta
+        turned, by_tip = (motion.left - 2 * behind, False) if left < here else (turned, by_tip)
     if position and not back:
         arc = arc_to(rod.beta, rod.eta, swing.heading, motion, point, square, rest, here)
-    return theta, speed, arc
+    theta = plus_quarters(motion.tip + 2 * half, 4 * swing.turns) if by_tip else rod.clamp_angle + turned
+    return theta, turned, speed, arc
 
 
 def way_back(rod, heading, motion, phase, extent, position):

@@ -19,6 +19,8 @@ from derive.emit.kernels.formulas import (
     half_rest_beyond,
     half_square,
     half_square_beyond,
+    lag_step,
+    phase_bend,
     phase_lead,
     phase_rate,
     phase_sum,
@@ -83,13 +85,12 @@ def second_kind(a, b, square, rest, arrival):
         more = any_of(abs(gap) > limit * a)
         total, below = a + b, a + delta
         square, rest = gauss_square(square, total, below), gauss_rest(a, b, square, rest, delta, below)
-        share, first = gap / total, 2 * a / total
-        plus, minus = first * square + rest, 2 * b / total * square + rest
+        share, first, second = gap / total, 2 * a / total, 2 * b / total
         a, b = total / 2, sqrt(a * b)
         delta = phase_rate(a, b, square, rest)
-        bend = share * square * sqrt(square * rest) / (delta * plus)
-        step = bend * share * rest / minus
-        integral = integral + weight * bend * first + weights * step
+        bend = phase_bend(share, first, square, rest, sqrt(square * rest), delta)
+        step = lag_step(bend, share, second, square, rest)
+        integral = integral + weight * first * bend + weights * step
         weights, weight, excess = weights + weight, weight * share / 2, excess + step
         gap = gauss_gap(gap, a + b)  # a difference would lose what the weight brings out
     last = arc_excess((a + b) * arrival) / (a + b)
