@@ -130,7 +130,7 @@ def _write_kink(here: dict[Symbol, Expr], writer: Writer) -> None:
         "arc_kink_tip",
         (first, delta, across, b, pole, root, others_sum, others_product, lift),
         across * by_lift / (delta * below),
-        "the same where x is large, with lift = x + √X₂√X₃: it is small as σ³, and so are its terms",
+        "the same towards the tip, with lift = x + √X₂√X₃: it is small as σ³, and so are its terms",
         lambda value: Equal(
             value.subs({lift: pole + pair_root, others_sum: SUM, others_product: PRODUCT}).subs(here), far.subs(here)
         ),

@@ -168,7 +168,8 @@ def kink_at(motion, first, second, point, root, q, m, square, rest):
     both = others_product(b, m, root, others)
     lift = pair_lift(sqrt(motion.near), sqrt(motion.far), motion.uneven, motion.half_cosine, square, rest)
     far = arc_kink(first, square, delta, across, b, x, root, sqrt(point.one), product)
-    return pick(x > 0.25, arc_kink_tip(first, delta, across, b, x, root, others, both, lift), far)
+    by_lift = lift > 0.15  # a small one is as good as nothing to divide by
+    return pick(by_lift, arc_kink_tip(first, delta, across, b, x, root, others, both, pick(by_lift, lift, 1)), far)
 
 
 def rj_pair(x, product, root_sum, p, lift, less, twist):

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/arcs.py: do not edit, change that file.
 
-Digest of the inputs: sha256 c456be346fc73a625ee9fcfb62c9e0c6b806832b5743c394bc9fb5b62c7a7764
+Digest of the inputs: sha256 8486df0dc5253d3de4164f6d8fc10a14de0d1fb388c250d811096dde0214f510
 """
 
 from __future__ import annotations
@@ -143,7 +143,10 @@ def kink_at_each(motion, first, second, point, root, q, m, square, rest):
         each_sqrt(motion.near), each_sqrt(motion.far), motion.uneven, motion.half_cosine, square, rest
     )
     far = arc_kink_each(first, square, delta, across, b, x, root, each_sqrt(point.one), product)
-    return each_pick(x > 0.25, arc_kink_tip_each(first, delta, across, b, x, root, others, both, lift), far)
+    by_lift = lift > 0.15  # a small one is as good as nothing to divide by
+    return each_pick(
+        by_lift, arc_kink_tip_each(first, delta, across, b, x, root, others, both, each_pick(by_lift, lift, 1)), far
+    )
 
 
 def rj_pair_each(x, product, root_sum, p, lift, less, twist):

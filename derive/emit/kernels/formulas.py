@@ -580,7 +580,7 @@ def arc_kink(first, square, delta, across, b, pole, root, near_root, pair_root):
 
 
 def arc_kink_tip(first, delta, across, b, pole, root, others_sum, others_product, lift):
-    """The same where x is large, with lift = x + √X₂√X₃: it is small as σ³, and so are its terms.
+    """The same towards the tip, with lift = x + √X₂√X₃: it is small as σ³, and so are its terms.
 
     Proved as swing.arc_kink_tip.
     """

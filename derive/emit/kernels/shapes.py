@@ -74,8 +74,10 @@ def station_of(rod, swing, s):
     towards_tip = swing.whole % 2 == 0
     ahead = swing.arrival if towards_tip else swing.length - swing.arrival
     if 2 * s >= rod.length:
-        whole = floor((rod.length - s) / swing.length)
-        return station_at(swing, whole, whole % 2 == 0, rod.length - s - whole * swing.length, s, 0)
+        # The motion takes a rounding more or less than the rod is long.
+        left = rod.length - s if swing.whole else (rod.length - s) * (swing.arrival / rod.length)
+        whole = floor(left / swing.length)
+        return station_at(swing, whole, whole % 2 == 0, left - whole * swing.length, s, 0)
     if s <= ahead:
         return station_at(swing, swing.whole, towards_tip, ahead - s, s, -1 if towards_tip else 1)
     turned = floor((s - ahead) / swing.length)
