@@ -10,6 +10,7 @@ from math import acos, asin, atan, atan2, ceil, cos, exp, floor, frexp, hypot, i
 __all__ = [
     "acos",
     "any_of",
+    "apart_by_quarters",
     "arc_excess",
     "arctan_share",
     "asin",
@@ -75,6 +76,11 @@ def less_quarters(angle, quarters):
 def plus_quarters(angle, quarters):
     """angle + quarters·π/2, rounded once where the sum is large."""
     return (angle + quarters * 6.077100506506192e-11) + quarters * 1.5707963267341256
+
+
+def apart_by_quarters(angle, quarters):
+    """Two numbers that add up to angle + quarters·π/2, of which only the sum is rounded at its size."""
+    return quarters * 1.5707963267341256, angle + quarters * 6.077100506506192e-11
 
 
 def pick(condition, yes, no):

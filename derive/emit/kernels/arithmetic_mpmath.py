@@ -11,6 +11,7 @@ from mpmath import sqrt as complex_sqrt
 __all__ = [
     "acos",
     "any_of",
+    "apart_by_quarters",
     "arc_excess",
     "arctan_share",
     "asin",
@@ -84,6 +85,11 @@ def less_quarters(angle, quarters):
 def plus_quarters(angle, quarters):
     """angle + quarters·π/2."""
     return angle + quarters * (pi / 2)
+
+
+def apart_by_quarters(angle, quarters):
+    """Two numbers that add up to angle + quarters·π/2."""
+    return quarters * (pi / 2), angle
 
 
 def pick(condition, yes, no):
