@@ -67,8 +67,9 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     # Near the high end the clamp is told from there, else as the tip is: the clamp's own distances are exact.
     done, apart = piece.clamp_gap + drop, pick(upper, piece.past_hill - from_hill, piece.past_well + depth)
     done = pick(done < 0.5 * pick(upper, from_hill, abs(piece.past_well)), done, apart)
+    depth = pick(upper, turn_to(hill, well) - from_hill, depth)
     if basin.even:
-        half_width = depth + turn_to(well, basin.axis)
+        half_width = pick(upper, turn_to(hill, basin.axis) - from_hill, depth + turn_to(well, basin.axis))
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
         far_moment, far_distance = near_moment, from_hill
     elif any_of(field_angle == 0) and not basin.passes:

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 b645e5232b8d2b60e080b968b996b772212f2027a2a9311446ce085337086bd3
+Digest of the inputs: sha256 90fc665e0781397d234d94ffbaf9192b19a261c1448b8e6d6ac703d9c98a0094
 """
 
 from __future__ import annotations
@@ -48,8 +48,11 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
     # Near the high end the clamp is told from there, else as the tip is: the clamp's own distances are exact.
     done, apart = piece.clamp_gap + drop, each_pick(upper, piece.past_hill - from_hill, piece.past_well + depth)
     done = each_pick(done < 0.5 * each_pick(upper, from_hill, each_abs(piece.past_well)), done, apart)
+    depth = each_pick(upper, turn_to_each(hill, well) - from_hill, depth)
     if basin.even:
-        half_width = depth + turn_to_each(well, basin.axis)
+        half_width = each_pick(
+            upper, turn_to_each(hill, basin.axis) - from_hill, depth + turn_to_each(well, basin.axis)
+        )
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
         far_moment, far_distance = near_moment, from_hill
     elif any_of(field_angle == 0) and not basin.passes:
