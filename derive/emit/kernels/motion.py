@@ -199,7 +199,7 @@ def shoulder_side(eta, piece, rise, drop, depth, done, left, distance, by_hill):
     near = 2 * abs(aside) < beside
     far_moment = pick(near, -shoulder_moment(eta, basin, aside), larger(far_moment, least_moment(basin) * beside))
     far_distance = pick(by_hill & (near == 0), distance, piece.far_gap - left)
-    return (done + left) / 2, left, larger(far_moment, 0), far_distance
+    return (done + left) / 2, left, far_moment, far_distance
 
 
 def tip_fall(eta, piece, change, rise, drop):
