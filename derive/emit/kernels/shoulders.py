@@ -45,8 +45,9 @@ def with_shoulder_level(eta, piece):
         amount = shoulder_fall(eta, basin, 0, clamp)
         if clamp >= 0 or amount <= 0:
             return [piece]
-        rest = pick_rest(by_hill, basin.hill, basin.well)
-        width = onward(eta, rest, start, amount, width, True)
+        if 2 * abs(clamp) < piece.beyond_well:
+            rest = pick_rest(by_hill, basin.hill, basin.well)
+            width = onward(eta, rest, start, amount, width, True)
     if width <= 0:
         return [piece]
     depth, gap = piece.high_depth + width, piece.clamp_gap + width
