@@ -184,22 +184,23 @@ def shoulder_side(eta, piece, rise, drop, depth, done, left, distance, by_hill):
     """
     basin = piece.basin
     far, far_well, clamp = basin.far, basin.far_well, clamp_beyond(piece)
-    beside = pick(by_hill, distance, piece.beyond_well + left)  # from the hill or the well
-    if "shoulder" in (piece.low_kind, piece.high_kind):
-        gap = tip_fall(eta, piece, -rise if piece.low_kind == "shoulder" else drop, rise, drop)
-        aside = clamp + left
-        if 2 * abs(aside) < beside:
-            left = beyond_shoulder(eta, basin, gap, aside) - clamp
-    if piece.high_kind == "turn":
-        better = larger(beyond_clamp(eta, piece, rise, drop, left), 0)
-        # From the nearer of the two.
-        left = pick(2 * left > abs(clamp), left, better) if piece.low_kind == "shoulder" else better
-    turn, aside = piece.beyond_well + left, clamp + left
-    far_moment = -pick(by_hill, slope(eta, far, -distance), slope(eta, far_well, turn))
-    near = 2 * abs(aside) < beside
-    far_moment = pick(near, -shoulder_moment(eta, basin, aside), larger(far_moment, least_moment(basin) * beside))
-    far_distance = pick(by_hill & (near == 0), distance, piece.far_gap - left)
-    return (done + left) / 2, left, far_moment, far_distance
+    beside = distance if by_hill else piece.beyond_well + left  # from the hill or the well
+    turn = clamp + left  # far turning point − shoulder
+    near = 2 * abs(turn) < beside
+    if near and "shoulder" in (piece.low_kind, piece.high_kind):
+        change = -rise if piece.low_kind == "shoulder" else drop
+        turn = beyond_shoulder(eta, basin, tip_fall(eta, piece, change, rise, drop), turn)
+        left = turn - clamp
+    # From the nearer of the two levels at which the range ends.
+    if piece.high_kind == "turn" and (piece.low_kind != "shoulder" or 2 * left <= abs(clamp)):
+        left = larger(beyond_clamp(eta, piece, rise, drop, left), 0)
+        turn = clamp + left
+    if near:
+        moment = shoulder_moment(eta, basin, turn)
+    else:
+        moment = slope(eta, far, -distance) if by_hill else slope(eta, far_well, piece.beyond_well + left)
+        moment = -larger(-moment, least_moment(basin) * beside)
+    return (done + left) / 2, left, -moment, distance if by_hill and not near else piece.far_gap - left
 
 
 def tip_fall(eta, piece, change, rise, drop):
