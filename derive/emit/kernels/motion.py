@@ -239,7 +239,7 @@ def beyond_clamp(eta, piece, rise, drop, rough):
         apart = clamp_beyond(piece)
         near = 2 * abs(apart) < abs(start)
         rest, start = pick_rest(near, basin.shoulder, rest), pick(near, apart, start)
-        moment, far = pick(near, basin.moment, 0), pick(near, rough > 0.25, far)
+        moment, far = pick(near, basin.moment, 0), pick(near, rough > 0.5 * abs(piece.clamp_offset), far)
     better = onward(eta, rest, start, -amount, rough, far == 0, moment)
     # Newton's method leaves a place where V is nearly level for one far away.
     return pick(far | (abs(better - rough) > 0.01), rough, better)
