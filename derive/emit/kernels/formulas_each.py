@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 963ce236d8437760a0945a49bdf5babf7d28de6d08804c117dd93faf983c9e63
+Digest of the inputs: sha256 5c2c23b332d5ce1dc44964c149abb51dd509cf1dd1afe1ec266524ec6a0f8c1b
 """
 
 from __future__ import annotations
@@ -32,14 +32,6 @@ def rest_moment_each(eta, stiffness, double_cosine, double_sine, sine, cosine):
             - 0.5 * eta * double_sine * sine * (3 - 4 * sine * sine)
         )
     )
-
-
-def rest_drop_each(eta, stiffness, double_cosine, double_sine, sine, cosine):
-    """V(rest) − V(rest + offset), from a direction without moment, by the sine and cosine of half the offset.
-
-    Proved as swing.rest_drop.
-    """
-    return 2 * (stiffness - eta * sine * (double_cosine * sine + double_sine * cosine)) * sine * sine
 
 
 def rest_fall_each(eta, stiffness, double_cosine, double_sine, middle_sine, middle_cosine, half_sine, half_cosine):
