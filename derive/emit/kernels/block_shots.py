@@ -14,13 +14,13 @@ from numpy import (
     argsort,
     bincount,
     cosh,
+    flatnonzero,
     float32,
     floor,
     full,
     linspace,
     maximum,
     minimum,
-    nonzero,
     sinh,
     sqrt,
     unique,
@@ -34,12 +34,13 @@ from derive.emit.kernels.block_records import joined, rounded_to, rows
 from derive.emit.kernels.block_roots import approached
 from derive.emit.kernels.formulas_each import shot_bend_each
 
-SHOT_SLOW = 1.2 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
+SHOT_SLOW = 1.5 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
 SHOTS = 512  # rods at once
 EVEN = 3.0  # step between tips, over the steepest slope
 FEWEST_SPANS = 16
-HALVINGS = 24  # of a step
-ROUGH_BLUR = 1e-3  # what is missed in single precision is right to that: 60 times better where it was looked for
+ROUGH_HALVINGS = 2  # of spans in single precision
+HALVINGS = 22  # of the rest
+ROUGH_BLUR = 4e-3  # what is missed in single precision is right to that
 BLUR = 1e-9  # the same in double precision
 STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
 AIMS = 4  # steps towards a zero
@@ -73,18 +74,13 @@ class Shots(NamedTuple):
 
 
 class Spans(NamedTuple):
-    """Of tips: the rod, the share of its reach at one end, that to the other end, what is missed at both.
-
-    before_blur, after_blur: what that may be wrong by.
-    """
+    """Of tips: the rod, the share of its reach at one end, that to the other end, what is missed at both."""
 
     rod: Any
     first: Any
     width: Any
     before: Any
     after: Any
-    before_blur: Any
-    after_blur: Any
 
 
 def load_of(rods):
@@ -139,7 +135,7 @@ def is_shot(rods):
 def shots_of(rods, size):
     """All tips of short rods, and the numbers of the rods of which they are not sure."""
     load, sag = load_of(rods), sag_of(rods)
-    spans, unsure = told_apart(load, sag, sampled_spans(load, sag, rods.slow))
+    spans, unsure = told_apart(load, sag, *sampled_spans(load, sag, rods.slow))
     which, left, right = spans.rod, spans.first, spans.first + spans.width
     some = rows(load, which)
     ends = left, right, spans.before, spans.after
@@ -160,11 +156,12 @@ def sag_of(rods):
 def no_spans():
     """None."""
     none = zeros(0)
-    return Spans(zeros(0, dtype=int), none, none, none, none, none, none)
+    return Spans(zeros(0, dtype=int), none, none, none, none)
 
 
 def sampled_spans(load, sag, slow):
-    """The spans between samples over which what is missed changes its sign, or may have zeros without."""
+    """The load in single precision, and the spans between samples over which what is missed changes its sign, or may
+    have zeros without."""
     rough, parts = rounded_to(load, float32), [no_spans()]
     for start in range(0, slow.size, SHOTS):
         here = slice(start, start + SHOTS)
@@ -175,39 +172,47 @@ def sampled_spans(load, sag, slow):
         step = 2 / number * load.reach[here]
         needed = (sag[here] * step * step + 2 * ROUGH_BLUR).astype(float32)
         # What is not a number is not sure either.
-        row, which = nonzero((above[1:] != above[:-1]) | ~(size[1:] + size[:-1] > needed))
+        open_ = (above[1:] != above[:-1]) | ~(size[1:] + size[:-1] > needed)
+        row, which = divmod(flatnonzero(open_), open_.shape[1])
         before, after = (values[row + k, which].astype(float) for k in (0, 1))
-        width, blur = full(row.size, 2 / number), full(row.size, ROUGH_BLUR)
-        parts.append(Spans(which + start, shares[row], width, before, after, blur, blur))
-    return joined(parts)
+        parts.append(Spans(which + start, shares[row], full(row.size, 2 / number), before, after))
+    return rough, joined(parts)
 
 
-def told_apart(load, sag, spans):
-    """The spans with one tip each, and the rods of which a span as small as any leaves a doubt.
+def told_apart(load, sag, rough, spans):
+    """The spans with one tip each, and the rods of which a span as small as any leaves a doubt."""
+    first, spans = parted(rough, sag, spans, ROUGH_BLUR, ROUGH_HALVINGS)
+    some = rows(load, spans.rod)
+    ends = miss(some, spans.first), miss(some, spans.first + spans.width)
+    second, spans = parted(load, sag, spans._replace(before=ends[0], after=ends[1]), BLUR, HALVINGS)
+    return joined([first, second]), spans.rod
 
-    What is missed is above the chord by no more than sag·width²/4: where its ends are on one side of zero it has none
-    if the sum of their roots is more than the width times √sag; and where their sum is more than sag·width² it rises
-    or falls all the way from where it may be zero.
+
+def parted(load, sag, spans, blur, times):
+    """The spans that hold one tip, of these and of those that come of the others by halving, and what is left of them.
+
+    blur: by how much what is missed may be wrong. Over a span it departs from its chord by no more than sag·width²/4.
+    Where it has one sign at both ends, and the sum of their roots is more than the width times √sag, it has no zero
+    between; where the sum of what is missed is more than sag·width², it has one if the signs differ, and else none.
     """
     found = []
-    for _ in range(HALVINGS):
-        width = spans.width * load.reach[spans.rod]
-        before = maximum(abs(spans.before) - spans.before_blur, 0)
-        after = maximum(abs(spans.after) - spans.after_blur, 0)
+    for turn in range(times + 1):
+        before, after = (maximum(abs(end) - blur, 0) for end in (spans.before, spans.after))
         crossed = (spans.before > 0) != (spans.after > 0)
+        width = spans.width * load.reach[spans.rod]
         sure = before + after + where(crossed, 0, 2 * sqrt(before * after)) > sag[spans.rod] * width * width
         found.append(rows(spans, sure & crossed))
         spans = rows(spans, ~sure)
-        if not spans.rod.size:
+        if turn == times or not spans.rod.size:
             break
         spans = halved(load, spans)
-    return joined(found), spans.rod
+    return joined(found), spans
 
 
 def halved(load, spans):
     """The halves of spans."""
-    width = spans.width / 2
+    width, some = spans.width / 2, rows(load, spans.rod)
     middle = spans.first + width
-    value, blur = miss(rows(load, spans.rod), middle), full(middle.size, BLUR)
-    first = spans._replace(width=width, after=value, after_blur=blur)
-    return joined([first, spans._replace(first=middle, width=width, before=value, before_blur=blur)])
+    value = miss(some, middle.astype(some.beta.dtype)).astype(float)
+    first = spans._replace(width=width, after=value)
+    return joined([first, spans._replace(first=middle, width=width, before=value)])
