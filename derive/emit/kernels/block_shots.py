@@ -18,6 +18,7 @@ from numpy import (
     float32,
     floor,
     full,
+    inf,
     linspace,
     maximum,
     minimum,
@@ -34,13 +35,13 @@ from derive.emit.kernels.block_records import joined, rounded_to, rows
 from derive.emit.kernels.block_roots import approached
 from derive.emit.kernels.formulas_each import shot_bend_each
 
-SHOT_SLOW = 1.5 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
+SHOT_SLOW = 1.4 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
 SHOTS = 512  # rods at once
 EVEN = 3.0  # step between tips, over the steepest slope
 FEWEST_SPANS = 16
 ROUGH_HALVINGS = 2  # of spans in single precision
 HALVINGS = 22  # of the rest
-ROUGH_BLUR = 4e-3  # what is missed in single precision is right to that
+ROUGH_BLUR = 6e-3  # twice what is missed may be wrong by in single precision (docs/solver.md)
 BLUR = 1e-9  # the same in double precision
 STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
 AIMS = 4  # steps towards a zero
@@ -163,19 +164,22 @@ def sampled_spans(load, sag, slow):
     """The load in single precision, and the spans between samples over which what is missed changes its sign, or may
     have zeros without."""
     rough, parts = rounded_to(load, float32), [no_spans()]
+    steps = 2 / EVEN * load.reach * cosh(slow)
+    order = argsort(steps)
     for start in range(0, slow.size, SHOTS):
-        here = slice(start, start + SHOTS)
-        number = FEWEST_SPANS + int(2 * (load.reach[here] * cosh(slow[here])).max() / EVEN)
+        here = order[start : start + SHOTS]
+        number = FEWEST_SPANS + int(steps[here[-1]])
         shares = linspace(-1, 1, number + 1)
         values = miss(rows(rough, here), shares.astype(float32)[:, None])
         above, size = values > 0, abs(values)
+        size[size <= ROUGH_BLUR] = -inf
         step = 2 / number * load.reach[here]
         needed = (sag[here] * step * step + 2 * ROUGH_BLUR).astype(float32)
         # What is not a number is not sure either.
-        open_ = (above[1:] != above[:-1]) | ~(size[1:] + size[:-1] > needed)
-        row, which = divmod(flatnonzero(open_), open_.shape[1])
+        held = (above[1:] != above[:-1]) | ~(size[1:] + size[:-1] > needed)
+        row, which = divmod(flatnonzero(held), held.shape[1])
         before, after = (values[row + k, which].astype(float) for k in (0, 1))
-        parts.append(Spans(which + start, shares[row], full(row.size, 2 / number), before, after))
+        parts.append(Spans(here[which], shares[row], full(row.size, 2 / number), before, after))
     return rough, joined(parts)
 
 
@@ -200,7 +204,8 @@ def parted(load, sag, spans, blur, times):
         before, after = (maximum(abs(end) - blur, 0) for end in (spans.before, spans.after))
         crossed = (spans.before > 0) != (spans.after > 0)
         width = spans.width * load.reach[spans.rod]
-        sure = before + after + where(crossed, 0, 2 * sqrt(before * after)) > sag[spans.rod] * width * width
+        sum_, both = before + after, before * after
+        sure = (sum_ + where(crossed, 0, 2 * sqrt(both)) > sag[spans.rod] * width * width) & (both > 0)
         found.append(rows(spans, sure & crossed))
         spans = rows(spans, ~sure)
         if turn == times or not spans.rod.size:
