@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 5c2c23b332d5ce1dc44964c149abb51dd509cf1dd1afe1ec266524ec6a0f8c1b
+Digest of the inputs: sha256 768429f8747b6fa32ea0798a58ffaa9ae35cb07ebb2a341c710919059473be36
 """
 
 from __future__ import annotations
@@ -32,6 +32,14 @@ def rest_moment_each(eta, stiffness, double_cosine, double_sine, sine, cosine):
             - 0.5 * eta * double_sine * sine * (3 - 4 * sine * sine)
         )
     )
+
+
+def rest_drop_each(eta, stiffness, double_cosine, double_sine, sine, cosine):
+    """V(rest) − V(rest + offset), from a direction without moment, by the sine and cosine of half the offset.
+
+    Proved as swing.rest_drop.
+    """
+    return 2 * (stiffness - eta * sine * (double_cosine * sine + double_sine * cosine)) * sine * sine
 
 
 def rest_fall_each(eta, stiffness, double_cosine, double_sine, middle_sine, middle_cosine, half_sine, half_cosine):
@@ -129,6 +137,14 @@ def pair_stiffness_each(eta, lean_cosine, cusp_cosine, beside_sine, along, acros
         * (along * along + along * across + across * across)
         / (cusp_cosine * cusp_cosine * cusp_cosine * force_sine)
     )
+
+
+def shot_bend_each(beta, eta, growth):
+    """a bound of |∂²θ(0)/∂θ(ℓ)²| for every tip, by cosh(ℓ√(β + η)) − 1: it solves G″ = (β + η)G + (β + 2η)cosh².
+
+    Proved as swing.shot_bend.
+    """
+    return growth * (beta + 2 * eta) * (3 + growth) / (3 * beta + 3 * eta)
 
 
 def phase_sum_each(root_near, root_far, done_sine, left_sine):
