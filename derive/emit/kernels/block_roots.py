@@ -13,6 +13,7 @@ from derive.emit.kernels.motion_each import motion_at_each
 from derive.emit.kernels.swing_each import lengths_each, phase_of_each
 
 STEPS = 3  # rough steps, after which most places are right to single precision
+MOVING = 1e-6  # a step after which another one is not yet as small as rounding
 TOLD = 1e-10  # change of a place from which the change of a length tells the slope
 SECANTS = 2  # evaluations before any place is looked at for being right to rounding: next to none is
 SPREAD = 2.0**-9  # distance of two places from which they tell the slope of a branch in single precision
@@ -68,10 +69,11 @@ def surplus(swing, arrival, turns, sign, length):
     return 2 * turns * swing + sign * arrival - length
 
 
-def approached(function, left, right, value_left, value_right, steps, spread):
+def approached(function, left, right, value_left, value_right, steps, spread, again=0):
     """Approximate zeros by Chandrupatla's method (1997): places, and the slopes there.
 
-    spread: the distance of two places from which they tell a slope.
+    function(places, which): the values, of those rows. spread: the distance of two places from which they tell a slope.
+    again: how often those that still move go through as many steps alone.
     """
     a, b, value_a, value_b = left, right, value_left, value_right
     slope = (value_a - value_b) / (a - b)
@@ -81,7 +83,7 @@ def approached(function, left, right, value_left, value_right, steps, spread):
     fraction[inside] = secant[inside]
     for _ in range(steps):
         trial = a + fraction * (b - a)
-        value = function(trial)
+        value = function(trial, slice(None))
         same = (value > 0) == (value_a > 0)
         c, value_c = where(same, a, b), where(same, value_a, value_b)
         b, value_b = where(same, b, a), where(same, value_b, value_a)
@@ -91,7 +93,15 @@ def approached(function, left, right, value_left, value_right, steps, spread):
         fraction, safe = inverse_quadratic(a, b, c, value_a, value_b, value_c)
     # No half way at last: the latest place may be the zero itself.
     step = minimum(maximum(value_a / (slope * (a - b)), 0), 1)
-    return a + where(safe, fraction, where(value_a == 0, 0, step)) * (b - a), slope
+    move = where(safe, fraction, where(value_a == 0, 0, step)) * (b - a)
+    place = a + move
+    far = flatnonzero(abs(move) > MOVING) if again else zeros(0, dtype=int)
+    if far.size:
+        ends = a[far], b[far], value_a[far], value_b[far]
+        place[far], slope[far] = approached(
+            lambda trial, which: function(trial, far[which]), *ends, steps, spread, again - 1
+        )
+    return place, slope
 
 
 def inverse_quadratic(a, b, c, value_a, value_b, value_c):
@@ -108,7 +118,7 @@ def roughly_at(group, brackets, kind):
     """Rough crossings of a group with a row for each: places, and the slope of the branch there."""
     turns, sign, some = brackets.turns.astype(kind), brackets.sign.astype(kind), rounded_to(group, kind)
 
-    def value(trial):
+    def value(trial, which):
         swing, arrival = rough_times(some.rods, some.piece, trial)
         return surplus(swing, arrival, turns, sign, some.rods.length)
 
@@ -120,8 +130,8 @@ def roughly_at(group, brackets, kind):
 def polished(some, brackets, place, slope, secants, ease):
     """The crossings to rounding, by secants from rough ones, and the ranges in which one is not found so.
 
-    some: the group with a row for each; secants: as many before any is looked at for being right to rounding; ease: by
-    how much more is taken for rounding after each more.
+    some: the group with a row for each; secants: as many before any is looked at for being right to rounding; ease:
+    after how many more twice as much is taken for rounding.
     """
     least, most = minimum(brackets.left, brackets.right) - 0.01, maximum(brackets.left, brackets.right) + 0.01
     rising = (brackets.value_right > brackets.value_left) == (brackets.right > brackets.left)
@@ -141,7 +151,7 @@ def polished(some, brackets, place, slope, secants, ease):
         step = now / slope[todo]
         if turn >= secants:
             # What is left time and again is rounding of the times themselves.
-            blur = 4 * epsilon() * ease ** max(turn - 1, 0)
+            blur = epsilon() * 2 ** min(turn - secants, ease)
             close = (abs(step) <= blur * (1 + abs(at))) | (abs(now) <= blur * extent)
             state = Found(branch.range, at, branch.turns, branch.sign, rising[todo], motion, phase, swing, arrival)
             parts.append(state if close.all() else rows(state, close))

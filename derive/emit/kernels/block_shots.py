@@ -41,6 +41,7 @@ STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rod
 FINE = 9  # tips about an extremum
 LOOKS = 4  # each at so many tips nearer to it
 AIMS = 4  # steps towards a zero
+AGAIN = 4  # as often for those that are still far
 AIM_SPREAD = 1e-6  # distance of two shares from which they tell a slope
 
 
@@ -125,7 +126,8 @@ def shots_of(rods, size):
     beside, hard = beside_extrema(load, turned)
     which, left, right, before, after = (concatenate(pair) for pair in zip(crossed, beside, strict=True))
     some = rows(load, which)
-    share, slope = approached(lambda trial: miss(some, trial), left, right, before, after, AIMS, AIM_SPREAD)
+    ends = left, right, before, after
+    share, slope = approached(lambda trial, row: miss(rows(some, row), trial), *ends, AIMS, AIM_SPREAD, AGAIN)
     key = 2 * rods.case[which] + (share > 0)
     order = argsort(key, kind="stable")
     number = bincount(key, minlength=2 * size)

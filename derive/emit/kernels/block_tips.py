@@ -6,12 +6,12 @@ from typing import Any, NamedTuple
 
 from numpy import abs, cos, flatnonzero, floor, full, ldexp, sin, sqrt, where, zeros
 
+from derive.emit.kernels.arcs import Heading
 from derive.emit.kernels.arcs_each import (
     arc_from_far_each,
     arc_to_each,
     clamp_point_each,
     far_point_each,
-    heading_of_each,
     sent_back_each,
 )
 from derive.emit.kernels.arithmetic import pi
@@ -62,7 +62,7 @@ def bent(group, found, most):
     rods, rank, turns = rows((group.rods, group.rank, group.turns), found.range)
     motion, phase = found.motion, found.phase
     beta, eta, length = rods.beta, rods.eta, rods.length
-    heading = heading_of_each(rods.field_angle, motion)
+    heading = heading_at(rods.field_angle, motion)
     y, z, square = departures(rods, heading, found)
     speed = phase.delta * phase.whole / (motion.end * motion.sine) * sqrt(2 * motion.done_sine * motion.left_sine)
     gamma = 2 * beta * heading.cosine + eta * (1 + heading.double_cosine) / 2
@@ -80,6 +80,12 @@ def bent(group, found, most):
         ldexp(energy, scale),
         index,
     )
+
+
+def heading_at(field_angle, motion):
+    """``heading_of`` by NumPy's own sine and cosine: a rounding of them is one of the tip's place."""
+    double = 2 * (motion.tip - field_angle)
+    return Heading(cos(motion.tip), sin(motion.tip), cos(double), sin(double))
 
 
 def departures(rods, heading, found):
@@ -111,7 +117,7 @@ def first_stretches(rods, heading, found):
 def last_stretches(rods, heading, found):
     """The arcs from the last turning point to the clamp, of rods that end on their way back."""
     back, extent = sent_back_each(found.motion), found.swing - found.arrival
-    there, phase = heading_of_each(-rods.field_angle, back), phase_of_each(back)
+    there, phase = heading_at(-rods.field_angle, back), phase_of_each(back)
     point = clamp_point_each(back, phase)
     arc = arc_to_each(rods.beta, rods.eta, there, back, point, phase.square, phase.rest, extent)
     return arc_from_far_each(rods.eta, heading, there, arc, extent)
