@@ -91,11 +91,8 @@ def settled(part, which, brackets, place, slope, secants, doubts):
     if place is None:
         place, slope = roughly_at(some, brackets, brackets.left.dtype)
         ease = EASE
-    found, lost = polished(some, brackets, place, slope, secants, ease)
+    sure, lost = polished(some, brackets, place, slope, secants, ease)
     doubtful = concatenate([doubts, lost])
-    if not found:
-        return [], which[doubtful]
-    sure = joined(found)
     if doubtful.size:
         sure = rows(sure, ~isin(sure.range, doubtful))
     return [sure._replace(range=which[sure.range])], which[doubtful]
