@@ -182,6 +182,7 @@ def polished(some, brackets, place, slope, secants, ease):
 def times_at(group, place):
     """The motions of tips at places of a group, one on each range, and their times."""
     motion = motion_at_each(group.rods.beta, group.rods.eta, group.rods.field_angle, group.piece, place)
+    motion = motion._replace(uneven=motion.uneven + 0 * place)  # of an even basin it is a number
     phase = phase_of_each(motion)
     return Times(motion, phase, *lengths_each(motion.end / 2, motion.middle / 2, phase.square, phase.rest))
 
