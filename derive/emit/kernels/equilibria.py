@@ -32,7 +32,7 @@ from derive.emit.kernels.landscape import landscape, mirror_landscape
 from derive.emit.kernels.pieces import pieces
 from derive.emit.kernels.hits import hits
 from derive.emit.kernels.search import Stay, crossings
-from derive.emit.kernels.shots import mirror_shots, shots_of
+from derive.emit.kernels.shots import mirror_shots, tip_shots
 from derive.emit.kernels.swing import phase_of, speed_at
 
 
@@ -107,7 +107,7 @@ def all_equilibria(beta, eta, length, clamp_angle, field_angle, max_index):
     mirrored = Rod(rod.beta, rod.eta, rod.length, -clamp_angle, reflected(field), -1, scale)
     scene, other = landscapes(rod.beta, rod.eta, rod.field_angle)
     clamp = clamp_in(scene.rests, rod.clamp_angle)
-    shots = shots_of(rod.beta, rod.eta, rod.field_angle, rod.length, rod.clamp_angle)
+    shots = tip_shots(rod.beta, rod.eta, rod.field_angle, rod.length, rod.clamp_angle)
     mirrored_shots = None if shots is None else mirror_shots(shots)
     above = below(mirrored, other, clamp_in(other.rests, mirrored.clamp_angle), most, mirrored_shots)
     return in_order([*below(rod, scene, clamp, most, shots), *straight(rod, scene, clamp, most), *above[::-1]])

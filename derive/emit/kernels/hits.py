@@ -26,7 +26,7 @@ def hits(beta, eta, field_angle, length, ranges, shots):
             if 0 < drop < piece.width:
                 place = log((piece.width - drop) / drop)
                 rate = shot.rate * (piece.width - drop) * drop / piece.width
-                crossing = settled(sample, place, rate, length, long) if abs(place) < DEEP else None
+                crossing = crossing_near(sample, place, rate, length, long) if abs(place) < DEEP else None
                 if crossing is None:
                     return None
                 here.append(crossing)
@@ -35,7 +35,7 @@ def hits(beta, eta, field_angle, length, ranges, shots):
     return None if missing else found
 
 
-def settled(sample, start, rate, length, long):
+def crossing_near(sample, start, rate, length, long):
     """The crossing near a place by secants; None where there is none. rate: ∂θ(0)/∂place, for a rod of this length.
 
     long: half-swings may fit the rod.

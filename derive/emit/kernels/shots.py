@@ -13,9 +13,9 @@ from typing import NamedTuple
 from derive.emit.kernels.arithmetic import atan2, cos, exp, floor, less_quarters, pi, sin, sqrt
 from derive.emit.kernels.roots import bracketed_root
 
-SHOT_SLOW = 1.2 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
-STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
-FINEST = 2.0**-12  # least distance of samples, as a share of how far a tip may be from the clamp angle
+SHORT_SLOW = 1.2 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
+LEVEL = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
+CLOSEST = 2.0**-12  # least distance of samples, as a share of how far a tip may be from the clamp angle
 UNSURE = 1e-9  # what is missed is right to less than 1e-5 of this share of that
 SLACK = 1e-4  # by how much more than the bound samples must be apart
 ALIKE = 1e-14  # as ``UNSURE``, what rounding may have made of zero
@@ -29,23 +29,23 @@ class Shot(NamedTuple):
     rate: float
 
 
-def shots_of(beta, eta, field_angle, length, clamp_angle):
+def tip_shots(beta, eta, field_angle, length, clamp_angle):
     """All tips of a short rod, as Shots from the lowest up; None if it is not short, or samples leave a doubt."""
     slow, square = length * sqrt(beta + eta), length * length
-    if slow > SHOT_SLOW:
+    if slow > SHORT_SLOW:
         return None
     beta, eta = beta * square, eta * square
     clamp = less_quarters(clamp_angle, 4 * floor(clamp_angle / (2 * pi) + 0.5))
-    if abs(beta * sin(clamp) + eta / 2 * sin(2 * (clamp - field_angle))) < STRAIGHT:
+    if abs(beta * sin(clamp) + eta / 2 * sin(2 * (clamp - field_angle))) < LEVEL:
         return None
 
     def missed(offset):
-        return miss(beta, eta, field_angle, clamp, offset)
+        return miss_of(beta, eta, field_angle, clamp, offset)
 
     # θ″ is nowhere more than β + η/2, and no motion is wider than a turn.
     reach = (1 + SLACK) * min((beta + eta / 2) / 2, 2 * pi)
-    samples = told_apart(missed, reach, shot_bend(beta, eta, (exp(slow / 2) - exp(-slow / 2)) ** 2 / 2) / 2)
-    return None if samples is None else aimed(missed, *samples, reach)
+    samples = samples_apart(missed, reach, shot_bend(beta, eta, (exp(slow / 2) - exp(-slow / 2)) ** 2 / 2) / 2)
+    return None if samples is None else zeros_between(missed, *samples, reach)
 
 
 def mirror_shots(shots):
@@ -53,7 +53,7 @@ def mirror_shots(shots):
     return [Shot(-shot.offset, shot.rate) for shot in shots[::-1]]
 
 
-def miss(beta, eta, field_angle, clamp_angle, offset):
+def miss_of(beta, eta, field_angle, clamp_angle, offset):
     """The angle at arc length 0 of a motion from a tip at an offset from the clamp angle, less the clamp angle.
 
     The rod's length is 1.
@@ -63,11 +63,11 @@ def miss(beta, eta, field_angle, clamp_angle, offset):
     along, across, half = beta * cos(tip), beta * sin(tip), eta / 2 * sin(double)
     p, m, q = across + half, across - half, along + eta * cos(double)
     quarter, c = p * m / 4, q / 12
-    value = wp_of_one(q * c - quarter, (quarter - q * q / 18) * c - along * p * p / 16)
+    value = wp_after_one(q * c - quarter, (quarter - q * q / 18) * c - along * p * p / 16)
     return offset + 2 * atan2(p / 4, value - c)
 
 
-def wp_of_one(g2, g3):
+def wp_after_one(g2, g3):
     """℘(1) by the series at 1/8 and the duplication formula."""
     a, b = g2 / 81920, g3 / 7340032
     value = 64 * (1 + a + b + a * a / 3 + a * b * (3 / 11) + (2 * a * a * a / 3 + b * b) / 13)
@@ -84,7 +84,7 @@ def shot_bend(beta, eta, growth):
     return (beta + 2 * eta) * growth * (growth + 3) / (3 * (beta + eta))
 
 
-def told_apart(function, reach, sag):
+def samples_apart(function, reach, sag):
     """Places and the values there, such that one zero or none lies between two; None where there is a doubt.
 
     The function is above the chord between two places by no more than sag·width²/4. Where its values are on one side
@@ -101,7 +101,7 @@ def told_apart(function, reach, sag):
             places.append(place)
             values.append(value)
             todo.pop()
-        elif width < FINEST * reach:
+        elif width < CLOSEST * reach:
             return None
         else:
             middle = place - width / 2
@@ -109,7 +109,7 @@ def told_apart(function, reach, sag):
     return None if min(abs(value) for value in values) < UNSURE * reach else (places, values)
 
 
-def aimed(function, places, values, reach):
+def zeros_between(function, places, values, reach):
     """The zeros between the places, as Shots."""
     found = []
     for k in range(1, len(places)):
