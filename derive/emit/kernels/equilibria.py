@@ -155,22 +155,21 @@ def below(rod, scene, clamp, most, shots):
 
     shots: all tips, roughly, or None.
     """
-    beta, eta, field_angle, length = rod.beta, rod.eta, rod.field_angle, rod.length
     tips = None if shots is None else [shot for shot in shots if shot.offset < 0]
     if tips == []:
         return []
-    # Where the clamp angle is at the level of the ridge, to rounding, a range has no width.
-    ranges = [piece for piece in pieces(beta, eta, field_angle, scene, clamp) if piece.width > 0]
-    crossed = None if tips is None else hits(beta, eta, field_angle, length, ranges, tips)
-    if crossed is None:
-        crossed = [crossings(beta, eta, field_angle, length, piece, most) for piece in ranges]
-    found = []
-    for piece, here in zip(ranges, crossed, strict=True):
-        for crossing in sorted(here, key=lambda item: item.sample.place):
-            index = index_of(crossing)
-            if index <= most:
-                found.append(bent_rod(rod, clamp.turns, piece, crossing, index))
-    return found
+    beta, eta, field_angle, length = rod.beta, rod.eta, rod.field_angle, rod.length
+    found = None
+    if tips is not None:
+        found = hits(beta, eta, field_angle, length, pieces(beta, eta, field_angle, scene, clamp), tips)
+    if found is None:
+        found = []
+        for piece in pieces(beta, eta, field_angle, scene, clamp):
+            if piece.width > 0:  # else the clamp angle is at the level of the ridge, to rounding
+                here = crossings(beta, eta, field_angle, length, piece, most)
+                found += [(piece, crossing) for crossing in sorted(here, key=lambda item: item.sample.place)]
+    indexed = [(piece, crossing, index_of(crossing)) for piece, crossing in found]
+    return [bent_rod(rod, clamp.turns, *item) for item in indexed if item[2] <= most]
 
 
 def straight(rod, scene, clamp, most):

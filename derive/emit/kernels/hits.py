@@ -12,27 +12,38 @@ TRIES = 24
 
 
 def hits(beta, eta, field_angle, length, ranges, shots):
-    """The crossings on each range, from Shots below the clamp angle; None where one is not found."""
-    ends = Delay(inf, 0, 0, 0, 0), Delay(inf, 0, 0, 0, 0)  # no place is so deep
-    long, found, missing = length * sqrt(beta + eta) >= pi, [], len(shots)
+    """All (range, crossing) from Shots below the clamp angle, from the lowest up; None where one is not found."""
+    long = length * sqrt(beta + eta) >= pi
+    found = []
     for piece in ranges:
-
-        def sample(place, piece=piece):
-            return sample_at(beta, eta, field_angle, piece, ends, place)
-
-        here = []
-        for shot in shots:
+        for shot in shots[len(found) :]:
             drop = -shot.offset - piece.clamp_gap
-            if 0 < drop < piece.width:
-                place = log((piece.width - drop) / drop)
-                rate = shot.rate * (piece.width - drop) * drop / piece.width
-                crossing = crossing_near(sample, place, rate, length, long) if abs(place) < DEEP else None
-                if crossing is None:
-                    return None
-                here.append(crossing)
-        found.append(here)
-        missing -= len(here)
-    return None if missing else found
+            if not 0 < drop < piece.width:
+                break
+            crossing = tip_on(beta, eta, field_angle, length, piece, drop, shot.rate, long)
+            if crossing is None:
+                return None
+            found.append((piece, crossing))
+        if len(found) == len(shots):
+            return found
+    return None
+
+
+def tip_on(beta, eta, field_angle, length, piece, drop, rate, long):
+    """The crossing of a tip below the high end of a range; None where there is none near it.
+
+    rate: ∂θ(0)/∂θ(ℓ) for a rod of this length. long: half-swings may fit the rod.
+    """
+    rise = piece.width - drop
+    place = log(rise / drop)
+    if not abs(place) < DEEP:
+        return None
+    ends = Delay(inf, 0, 0, 0, 0), Delay(inf, 0, 0, 0, 0)  # no place is so deep
+
+    def sample(there):
+        return sample_at(beta, eta, field_angle, piece, ends, there)
+
+    return crossing_near(sample, place, rate * rise * drop / piece.width, length, long)
 
 
 def crossing_near(sample, start, rate, length, long):

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/pieces.py: do not edit, change that file.
 
-Digest of the inputs: sha256 9ed8eeae64ac7cf316ce5a68d64a7fbee6fc8a7266758552f3d315cb72db28ac
+Digest of the inputs: sha256 d832c0f54d3ab65581f0eb37735f041130d7f78d3fd548043770fcd67c7b9b2d
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ from derive.emit.kernels.rests_each import pick_rest_each
 
 
 def pieces_each(beta, eta, field_angle, scene, clamp):
-    """All ranges of tip angles below the clamp angle."""
+    """All ranges of tip angles below the clamp angle, from low to high, one after the other as they are asked for."""
     ground = ground_of_each(beta, eta, field_angle, scene, clamp)
-    return [build(ground) for here, build in ranges_each(ground) if here]
+    return (build(ground) for here, build in ranges_each(ground) if here)
 
 
 def ranges_each(ground):

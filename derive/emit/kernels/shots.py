@@ -115,8 +115,6 @@ def zeros_between(function, places, values, reach):
     for k in range(1, len(places)):
         if (values[k] > 0) != (values[k - 1] > 0):
             known = [k - 1, k, *([k - 2] if k > 1 else []), *([k + 1] if k + 1 < len(places) else [])]
-            offset = bracketed_root(
-                function, [places[j] for j in known], [values[j] for j in known], ALIKE * reach
-            )
+            offset = bracketed_root(function, [places[j] for j in known], [values[j] for j in known], ALIKE * reach)
             found.append(Shot(offset, function(offset + BESIDE * reach) / (BESIDE * reach)))
     return found

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/swing.py: do not edit, change that file.
 
-Digest of the inputs: sha256 6a51d6b06b08a5b585ed700a25ef89fa3bd82ad653bb4f718001e49116c92b42
+Digest of the inputs: sha256 19b693770a2a6838728d9d71431b5c1c9c384e1f39f166cba80fc1ee71c4f241
 """
 
 from __future__ import annotations
@@ -58,6 +58,11 @@ def phase_of_each(motion):
         first, half_rest_each(end, size, delta), half_rest_beyond_each(end, motion.middle, square, size, delta)
     )
     return Phase(half, rest, whole, delta)
+
+
+def speed_at_each(motion, phase):
+    """|dθ/dσ| where the motion meets the clamp."""
+    return phase.delta * phase.whole / (motion.end * motion.sine) * each_sqrt(2 * motion.done_sine * motion.left_sine)
 
 
 def lengths_each(a, b, square, rest):
