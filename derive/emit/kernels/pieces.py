@@ -62,9 +62,9 @@ class Piece(NamedTuple):
 
 
 def pieces(beta, eta, field_angle, scene, clamp):
-    """All ranges of tip angles below the clamp angle."""
+    """All ranges of tip angles below the clamp angle, from low to high, one after the other as they are asked for."""
     ground = ground_of(beta, eta, field_angle, scene, clamp)
-    return [part for here, build in ranges(ground) if here for part in with_shoulder_level(eta, build(ground))]
+    return (part for here, build in ranges(ground) if here for part in with_shoulder_level(eta, build(ground)))
 
 
 def ranges(ground):
