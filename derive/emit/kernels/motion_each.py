@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 10e57b8d09154d4dcdb041e5f896456c83043d7315330992c942f4b8f8655a2b
+Digest of the inputs: sha256 59b986b40f1f934588acfc7e845126ab405ec32243ae62f6fc0d162440d25281
 """
 
 from __future__ import annotations
@@ -49,8 +49,11 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
     # Near the high end the clamp is told from there, else as the tip is: the clamp's own distances are exact.
     done, apart = piece.clamp_gap + drop, each_pick(upper, piece.past_hill - from_hill, piece.past_well + depth)
     done = each_pick(done < 0.5 * each_pick(upper, from_hill, each_abs(piece.past_well)), done, apart)
+    depth = each_pick(upper, turn_to_each(hill, well) - from_hill, depth)
     if basin.even:
-        half_width = depth + turn_to_each(well, basin.axis)
+        half_width = each_pick(
+            upper, turn_to_each(hill, basin.axis) - from_hill, depth + turn_to_each(well, basin.axis)
+        )
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
         far_moment, far_distance = near_moment, from_hill
     elif any_of(field_angle == 0) and not basin.passes:
