@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from rounding import error_bound
 
 from derive.emit.kernels import block_shots
 from derive.emit.kernels.block_pieces import Rods
@@ -14,7 +15,6 @@ from derive.emit.kernels.block_records import rounded_to, rows
 from derive.emit.kernels.block_shots import BLUR, ROUGH_BLUR, SHOT_SLOW, Load, load_of, miss, sag_of, shots_of
 from derive.emit.kernels.blocks import sweep_arrays
 from derive.measure import counts
-from rounding import error_bound
 
 COUNT = 300
 STEP = 1e-4  # of the tip, between which second differences are taken
@@ -53,8 +53,8 @@ def beside_tangencies(seed: int, count: int) -> Rods:
     there = arrival(load, tips[:, None])
     row, which = np.nonzero((there[2:] > there[1:-1]) != (there[1:-1] > there[:-2]))
     chosen = rng.permutation(row.size)[:count]
-    some, tip, step = rows(load, which[chosen]), tips[1 + row[chosen]], tips[1] - tips[0]
-    for step in (step, step, step / 8, step / 64):
+    some, tip = rows(load, which[chosen]), tips[1 + row[chosen]]
+    for step in np.array([1, 1, 1 / 8, 1 / 64]) * (tips[1] - tips[0]):
         before, here, after = (arrival(some, tip + k * step) for k in (-1, 0, 1))
         tip = tip + step / 2 * (before - after) / (before - 2 * here + after)
     beside = arrival(some, tip) + np.sign(before - 2 * here + after) * 10 ** rng.uniform(-6.5, -4, count)
@@ -134,13 +134,12 @@ def with_tips_on_samples(seed: int, count: int) -> Rods:
         above = (middle - arrival(some, middle) - offset > 0) == rises
         low, high = np.where(above, low, middle), np.where(above, middle, high)
     clamp = low - offset + rng.choice([-1, 1], which.size) * 10 ** rng.uniform(-10, -5, which.size)
-    bent = np.abs(arrival(some, clamp) - clamp) > 1e-3
-    return rows(rods, which)._replace(case=np.arange(which.size), clamp_angle=clamp)._replace(shot=bent)
+    rods = rows(rows(rods, which)._replace(clamp_angle=clamp), np.abs(arrival(some, clamp) - clamp) > 1e-3)
+    return rods._replace(case=np.arange(rods.case.size))
 
 
 def test_a_sign_that_rounding_may_turn_decides_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     rods = with_tips_on_samples(5, 2000)
-    rods = rows(rods, rods.shot)._replace(case=np.arange(np.sum(rods.shot)))
     elsewhere, unsure = numbers(rods)
     assert unsure.size == 0
     monkeypatch.setattr(block_shots, "EVEN", 1e9)
