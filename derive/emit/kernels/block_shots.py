@@ -45,6 +45,7 @@ ROUGH_BLUR = 6e-3  # what is missed is right to half of that in single precision
 BLUR = 2e-11  # the same in double precision
 STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
 AIMS = 4  # steps towards a zero
+AGAIN = 4  # as often for those that are still far
 AIM_SPREAD = 1e-6  # distance of two shares from which they tell a slope
 
 
@@ -140,7 +141,7 @@ def shots_of(rods, size):
     which, left, right = spans.rod, spans.first, spans.first + spans.width
     some = rows(load, which)
     ends = left, right, spans.before, spans.after
-    share, slope = approached(lambda trial: miss(some, trial), *ends, AIMS, AIM_SPREAD)
+    share, slope = approached(lambda trial, row: miss(rows(some, row), trial), *ends, AIMS, AIM_SPREAD, AGAIN)
     key = 2 * rods.case[which] + (share > 0)
     order = argsort(key, kind="stable")
     number = bincount(key, minlength=2 * size)
