@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 fafe64da950b8555631c56aabb8df49ac84347e7e9b39c5dc0f1c2cb3c310f64
+Digest of the inputs: sha256 cc1c8139f5323a6bd4944b382dc5eda5abc73cdccab4a3e082d32d1a4376762e
 """
 
 from __future__ import annotations
@@ -32,14 +32,6 @@ def rest_moment(eta, stiffness, double_cosine, double_sine, sine, cosine):
             - 0.5 * eta * double_sine * sine * (3 - 4 * sine * sine)
         )
     )
-
-
-def rest_drop(eta, stiffness, double_cosine, double_sine, sine, cosine):
-    """V(rest) − V(rest + offset), from a direction without moment, by the sine and cosine of half the offset.
-
-    Proved as swing.rest_drop.
-    """
-    return 2 * (stiffness - eta * sine * (double_cosine * sine + double_sine * cosine)) * sine * sine
 
 
 def rest_fall(eta, stiffness, double_cosine, double_sine, middle_sine, middle_cosine, half_sine, half_cosine):
@@ -135,6 +127,14 @@ def pair_stiffness(eta, lean_cosine, cusp_cosine, beside_sine, along, across, fo
         * (along * along + along * across + across * across)
         / (cusp_cosine * cusp_cosine * cusp_cosine * force_sine)
     )
+
+
+def shot_bend(beta, eta, growth):
+    """a bound of |∂²θ(0)/∂θ(ℓ)²| for every tip, by cosh(ℓ√(β + η)) − 1: it solves G″ = (β + η)G + (β + 2η)cosh².
+
+    Proved as swing.shot_bend.
+    """
+    return growth * (beta + 2 * eta) * (3 + growth) / (3 * beta + 3 * eta)
 
 
 def phase_sum(root_near, root_far, done_sine, left_sine):

@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 d6a75ebc34b8852d76d1942f75806ef661ce9dea981c0bb44ad341ebce98b0e7
+Digest of the inputs: sha256 5abccc2e43d556e7c1ce1c2364bf1604dfc9f56f79b1206f85544a5852697eb9
 """
 
 from __future__ import annotations
@@ -32,14 +32,6 @@ def rest_moment_each(eta, stiffness, double_cosine, double_sine, sine, cosine):
             - 0.5 * eta * double_sine * sine * (3 - 4 * sine * sine)
         )
     )
-
-
-def rest_drop_each(eta, stiffness, double_cosine, double_sine, sine, cosine):
-    """V(rest) − V(rest + offset), from a direction without moment, by the sine and cosine of half the offset.
-
-    Proved as swing.rest_drop.
-    """
-    return 2 * (stiffness - eta * sine * (double_cosine * sine + double_sine * cosine)) * sine * sine
 
 
 def rest_fall_each(eta, stiffness, double_cosine, double_sine, middle_sine, middle_cosine, half_sine, half_cosine):
@@ -137,6 +129,14 @@ def pair_stiffness_each(eta, lean_cosine, cusp_cosine, beside_sine, along, acros
         * (along * along + along * across + across * across)
         / (cusp_cosine * cusp_cosine * cusp_cosine * force_sine)
     )
+
+
+def shot_bend_each(beta, eta, growth):
+    """a bound of |∂²θ(0)/∂θ(ℓ)²| for every tip, by cosh(ℓ√(β + η)) − 1: it solves G″ = (β + η)G + (β + 2η)cosh².
+
+    Proved as swing.shot_bend.
+    """
+    return growth * (beta + 2 * eta) * (3 + growth) / (3 * beta + 3 * eta)
 
 
 def phase_sum_each(root_near, root_far, done_sine, left_sine):

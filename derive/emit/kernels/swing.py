@@ -58,6 +58,11 @@ def phase_of(motion):
     return Phase(half, rest, whole, delta)
 
 
+def speed_at(motion, phase):
+    """|dθ/dσ| where the motion meets the clamp."""
+    return phase.delta * phase.whole / (motion.end * motion.sine) * sqrt(2 * motion.done_sine * motion.left_sine)
+
+
 def lengths(a, b, square, rest):
     """The complete and the incomplete integral of 1/√(a² cos²ψ + b² sin²ψ), by sin²ψ and cos²ψ.
 

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/swing.py: do not edit, change that file.
 
-Digest of the inputs: sha256 bbc9eff1b7387d5003cedcc6d002cd352906ac32ea0f3b41ad37953652d4f73d
+Digest of the inputs: sha256 bf51c4f3e34d26b121f72552b91ee305b22ff900dc12a46718ad03e0b3edc88e
 """
 
 from __future__ import annotations
@@ -60,6 +60,11 @@ def phase_of_each(motion):
         first, half_rest_each(end, size, delta), half_rest_beyond_each(end, motion.middle, square, size, delta)
     )
     return Phase(half, rest, whole, delta)
+
+
+def speed_at_each(motion, phase):
+    """|dθ/dσ| where the motion meets the clamp."""
+    return phase.delta * phase.whole / (motion.end * motion.sine) * each_sqrt(2 * motion.done_sine * motion.left_sine)
 
 
 def lengths_each(a, b, square, rest):
