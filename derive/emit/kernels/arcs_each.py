@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/arcs.py: do not edit, change that file.
 
-Digest of the inputs: sha256 8486df0dc5253d3de4164f6d8fc10a14de0d1fb388c250d811096dde0214f510
+Digest of the inputs: sha256 518db20ce559646596d549f5090766df9c01b4daa72ea03167bbdfd71c933c9f
 """
 
 from __future__ import annotations
@@ -143,10 +143,10 @@ def kink_at_each(motion, first, second, point, root, q, m, square, rest):
         each_sqrt(motion.near), each_sqrt(motion.far), motion.uneven, motion.half_cosine, square, rest
     )
     far = arc_kink_each(first, square, delta, across, b, x, root, each_sqrt(point.one), product)
-    by_lift = lift > 0.15  # a small one is as good as nothing to divide by
-    return each_pick(
-        by_lift, arc_kink_tip_each(first, delta, across, b, x, root, others, both, each_pick(by_lift, lift, 1)), far
-    )
+    # Beyond the middle the lift may be as good as nothing to divide by, and the square of the pole, too.
+    towards_tip = lift > 0.15
+    lift, there = each_pick(towards_tip, lift, 1), each_pick(towards_tip, x, 1)
+    return each_pick(towards_tip, arc_kink_tip_each(first, delta, across, b, there, root, others, both, lift), far)
 
 
 def rj_pair_each(x, product, root_sum, p, lift, less, twist):
