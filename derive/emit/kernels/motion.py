@@ -19,11 +19,10 @@ from derive.emit.kernels.arithmetic import (
     spacing,
     sqrt,
 )
-from derive.emit.kernels.levels import fall, onward, reach, slope, turn_to
+from derive.emit.kernels.levels import fall, further, reach, slope, tip_fall, turn_to
 from derive.emit.kernels.pieces import Piece
 from derive.emit.kernels.potential import fall_from_rest, moment_from_rest
-from derive.emit.kernels.rests import pick_rest
-from derive.emit.kernels.shoulders import beyond_shoulder, clamp_beyond, shoulder_moment
+from derive.emit.kernels.shoulders import beside_shoulder, shoulder_side
 
 
 class Motion(NamedTuple):
@@ -78,8 +77,7 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     else:
         half_width, left, far_moment, far_distance = far_side(eta, piece, rise, drop, depth, done, height)
         if basin.shoulder is not None:
-            lean = from_hill - turn_to(hill, basin.shoulder)
-            near_moment = pick(2 * abs(lean) < abs(offset), shoulder_moment(eta, basin, lean), near_moment)
+            near_moment = beside_shoulder(eta, basin, from_hill, offset, near_moment)
         near_moment = larger(near_moment, least_moment(basin) * abs(offset))
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
     lack = (from_hill + far_distance) / 2 if basin.whole else pi - half_width
@@ -165,10 +163,10 @@ def far_side(eta, piece, rise, drop, depth, done, height):
     distance = reach_either(eta, far, far_well, by_hill, pick(by_hill, below, above), down)
     turn = pick(by_hill, down - distance, distance)  # far turning point − far_well
     left = pick(by_hill, piece.far_gap - distance, distance - piece.beyond_well)
+    if piece.basin.shoulder is not None:
+        return shoulder_side(eta, piece, rise, drop, done, left, by_hill, distance)
     if piece.high_kind == "turn":
         left = larger(beyond_clamp(eta, piece, rise, drop, left), 0)
-    if basin.shoulder is not None:
-        return shoulder_side(eta, piece, rise, drop, depth, done, left, distance, by_hill)
     if basin.passes:
         half_width = (turn + depth + turn_to(well, far_well)) / 2
     else:
@@ -176,38 +174,6 @@ def far_side(eta, piece, rise, drop, depth, done, height):
     far_moment = pick(by_hill, slope(eta, far, -distance), slope(eta, far_well, distance)) * -1
     far_moment = larger(far_moment, least_moment(basin) * distance)
     return half_width, left, far_moment, pick(by_hill, distance, down - distance)
-
-
-def shoulder_side(eta, piece, rise, drop, depth, done, left, distance, by_hill):
-    """``far_side`` where a ridge is nearly there: V may be so nearly level about its shoulder that only the level of the
-    shoulder, or of the clamp, tells where the motion turns. left, distance: as far as V by a hill or a well tells them.
-    """
-    basin = piece.basin
-    far, far_well, clamp = basin.far, basin.far_well, clamp_beyond(piece)
-    beside = distance if by_hill else piece.beyond_well + left  # from the hill or the well
-    turn = clamp + left  # far turning point − shoulder
-    near = 2 * abs(turn) < beside
-    if near and "shoulder" in (piece.low_kind, piece.high_kind):
-        change = -rise if piece.low_kind == "shoulder" else drop
-        turn = beyond_shoulder(eta, basin, tip_fall(eta, piece, change, rise, drop), turn)
-        left = turn - clamp
-    # From the nearer of the two levels at which the range ends.
-    if piece.high_kind == "turn" and (piece.low_kind != "shoulder" or 2 * left <= abs(clamp)):
-        left = larger(beyond_clamp(eta, piece, rise, drop, left), 0)
-        turn = clamp + left
-    if near:
-        moment = shoulder_moment(eta, basin, turn)
-    else:
-        moment = slope(eta, far, -distance) if by_hill else slope(eta, far_well, piece.beyond_well + left)
-        moment = -larger(-moment, least_moment(basin) * beside)
-    return (done + left) / 2, left, -moment, distance if by_hill and not near else piece.far_gap - left
-
-
-def tip_fall(eta, piece, change, rise, drop):
-    """V(tip) − V(tip + change)."""
-    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
-    upper = from_hill < depth
-    return fall(eta, pick_rest(upper, piece.basin.hill, piece.basin.well), pick(upper, from_hill, -depth), change)
 
 
 def least_moment(basin):
@@ -232,17 +198,9 @@ def beyond_clamp(eta, piece, rise, drop, rough):
     V falls by the same amount on both sides. The rough value is as good as its difference to the clamp's distance
     from a hill or a well allows.
     """
-    basin, rest, start, moment = piece.basin, piece.clamp_rest, piece.clamp_offset, 0
+    far = rough > 0.25 * abs(piece.clamp_offset)
     amount = tip_fall(eta, piece, drop, rise, drop)
-    far = rough > 0.25 * abs(start)
-    if basin.shoulder is not None:
-        apart = clamp_beyond(piece)
-        near = 2 * abs(apart) < abs(start)
-        rest, start = pick_rest(near, basin.shoulder, rest), pick(near, apart, start)
-        moment, far = pick(near, basin.moment, 0), pick(near, rough > 0.5 * abs(piece.clamp_offset), far)
-    better = onward(eta, rest, start, -amount, rough, far == 0, moment)
-    # Newton's method leaves a place where V is nearly level for one far away.
-    return pick(far | (abs(better - rough) > 0.01), rough, better)
+    return further(eta, piece.clamp_rest, piece.clamp_offset, amount, rough, far)
 
 
 def rates(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height):

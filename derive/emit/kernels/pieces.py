@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import any_of, larger, pick
+from derive.emit.kernels.arithmetic import any_of, larger, pi, pick
 from derive.emit.kernels.ground import ground_of
 from derive.emit.kernels.levels import fall, onward, reach, turn_to
 from derive.emit.kernels.rests import Rest, pick_rest
@@ -64,7 +64,10 @@ class Piece(NamedTuple):
 def pieces(beta, eta, field_angle, scene, clamp):
     """All ranges of tip angles below the clamp angle."""
     ground = ground_of(beta, eta, field_angle, scene, clamp)
-    return [part for here, build in ranges(ground) if here for part in with_shoulder_level(eta, build(ground))]
+    found = [build(ground) for here, build in ranges(ground) if here]
+    if field_angle == 0 or field_angle == pi / 2:
+        return found
+    return [part for piece in found for part in with_shoulder_level(eta, piece)]
 
 
 def ranges(ground):

@@ -2,11 +2,12 @@
 
 Emitted by `derive emit` from kernels/pieces.py: do not edit, change that file.
 
-Digest of the inputs: sha256 cc032e481a649d629f463c859d55540ee7241811198fd49657671fdf99e9cfba
+Digest of the inputs: sha256 d0547e1dc71a3d25db4e5239f718fde3102dce8d17bff6f664908de8cfc2142c
 """
 
 from __future__ import annotations
 
+from derive.emit.kernels.arithmetic import pi
 from derive.emit.kernels.array_arithmetic import any_of, each_abs, each_pick, larger
 from derive.emit.kernels.ground_each import ground_of_each
 from derive.emit.kernels.levels_each import fall_each, onward_each, reach_each, turn_to_each
@@ -18,7 +19,10 @@ from derive.emit.kernels.shoulders import with_shoulder_level
 def pieces_each(beta, eta, field_angle, scene, clamp):
     """All ranges of tip angles below the clamp angle."""
     ground = ground_of_each(beta, eta, field_angle, scene, clamp)
-    return [part for here, build in ranges_each(ground) if here for part in with_shoulder_level(eta, build(ground))]
+    found = [build(ground) for here, build in ranges_each(ground) if here]
+    if field_angle == 0 or field_angle == pi / 2:
+        return found
+    return [part for piece in found for part in with_shoulder_level(eta, piece)]
 
 
 def ranges_each(ground):
