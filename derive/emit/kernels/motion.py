@@ -163,7 +163,7 @@ def far_side(eta, piece, rise, drop, depth, done, height):
     distance = reach_either(eta, far, far_well, by_hill, pick(by_hill, below, above), down)
     turn = pick(by_hill, down - distance, distance)  # far turning point − far_well
     left = pick(by_hill, piece.far_gap - distance, distance - piece.beyond_well)
-    if piece.basin.shoulder is not None:
+    if basin.shoulder is not None:
         return shoulder_side(eta, piece, rise, drop, done, left, by_hill, distance)
     if piece.high_kind == "turn":
         left = larger(beyond_clamp(eta, piece, rise, drop, left), 0)

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 76c1653df2db65a4afae8cb3255ec94b98646585f4338a35f902a047c9dce5cb
+Digest of the inputs: sha256 18655f781c3cd3953ab70ad745b3d703185c3f311e133ef2ec0b39e31de166cd
 """
 
 from __future__ import annotations
@@ -147,7 +147,7 @@ def far_side_each(eta, piece, rise, drop, depth, done, height):
     distance = reach_either_each(eta, far, far_well, by_hill, each_pick(by_hill, below, above), down)
     turn = each_pick(by_hill, down - distance, distance)  # far turning point − far_well
     left = each_pick(by_hill, piece.far_gap - distance, distance - piece.beyond_well)
-    if piece.basin.shoulder is not None:
+    if basin.shoulder is not None:
         return shoulder_side(eta, piece, rise, drop, done, left, by_hill, distance)
     if piece.high_kind == "turn":
         left = larger(beyond_clamp_each(eta, piece, rise, drop, left), 0)
