@@ -151,7 +151,7 @@ def far_side(eta, piece, rise, drop, depth, done, height):
     hill, well, far, far_well = basin.hill, basin.well, basin.far, basin.far_well
     down = turn_to(far_well, far)
     if piece.low_kind == "level":
-        below = fall(eta, hill, piece.low_offset, rise)
+        below = -tip_fall(eta, piece, -rise, rise, drop)
     else:
         below = basin.far_rise + fall(eta, hill, 0, piece.low_offset + rise)
     if basin.passes:
