@@ -164,8 +164,9 @@ def level_turn(ground):
     # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
     from_hill = reach(eta, basin.hill, ground.drop + below, down, 1)
     near = onward(eta, basin.hill, level, below, from_hill - level, True)
-    width = pick(below < above / 4, near, down - level - from_well)
-    return piece_of(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
+    by_level = below < above / 4
+    width, depth = pick(by_level, near, ground.depth - from_well), pick(by_level, ground.depth - near, from_well)
+    return piece_of(basin, "level", "turn", level, width, depth, depth + at[1], 0, at)
 
 
 def pass_clamp(ground):
