@@ -67,6 +67,7 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     # Near the high end the clamp is told from there, else as the tip is: the clamp's own distances are exact.
     done, apart = piece.clamp_gap + drop, pick(upper, piece.past_hill - from_hill, piece.past_well + depth)
     done = pick(done < 0.5 * pick(upper, from_hill, abs(piece.past_well)), done, apart)
+    there = None
     if basin.even:
         half_width = depth + turn_to(well, basin.axis)
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
@@ -75,7 +76,7 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
         half_width, left, far_moment, far_distance = parallel_side(beta, eta, piece, rise, drop, from_hill, depth)
         half_width = (done + left) / 2 if piece.high_kind == "turn" else half_width
     else:
-        half_width, left, far_moment, far_distance = far_side(eta, piece, rise, drop, depth, done, height)
+        half_width, left, far_moment, far_distance, there = far_side(eta, piece, rise, drop, depth, done, height)
         if basin.shoulder is not None:
             near_moment = beside_shoulder(eta, basin, from_hill, offset, near_moment)
         near_moment = larger(near_moment, least_moment(basin) * abs(offset))
@@ -89,7 +90,7 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     left_sine = sin(pick(left > pi, lack + done / 2, left / 2))
     half_cosine = sin(lack / 2)
     centre = half_width - depth - turn_to(well, basin.axis)
-    end, middle = rates(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height)
+    end, middle = rates(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, there)
     return Motion(
         tip,
         half_width,
@@ -146,7 +147,8 @@ def within(sine):
 
 
 def far_side(eta, piece, rise, drop, depth, done, height):
-    """Half the width of the motion, how far it goes on beyond the clamp, and the moment where it turns."""
+    """Half the width of the motion, how far it goes on beyond the clamp, the moment where it turns, how far that is
+    from the far hill, and what a shoulder tells."""
     basin = piece.basin
     hill, well, far, far_well = basin.hill, basin.well, basin.far, basin.far_well
     down = turn_to(far_well, far)
@@ -173,7 +175,7 @@ def far_side(eta, piece, rise, drop, depth, done, height):
         half_width = (turn + depth) / 2
     far_moment = pick(by_hill, slope(eta, far, -distance), slope(eta, far_well, distance)) * -1
     far_moment = larger(far_moment, least_moment(basin) * distance)
-    return half_width, left, far_moment, pick(by_hill, distance, down - distance)
+    return half_width, left, far_moment, pick(by_hill, distance, down - distance), None
 
 
 def least_moment(basin):
@@ -203,25 +205,32 @@ def beyond_clamp(eta, piece, rise, drop, rough):
     return further(eta, piece.clamp_rest, piece.clamp_offset, amount, rough, far)
 
 
-def rates(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height):
-    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle."""
+def rates(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, there):
+    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle; there: the
+    far turning point, if it is beside a shoulder."""
     middle, cosine = basin.axis.angle + centre, cos(half_width)
     cos_middle, cos_double = cos(middle), cos(2 * (middle - field_angle))
     product = sqrt(near) * sqrt(far)
     excess = -(2 * beta * cos_middle * cosine + eta * cos_double * (1 + cosine * cosine))
+    if there is not None:
+        # The same: V at the ends of the motion is equal.
+        bent = eta * (1 + 2 * cosine * cosine) * sin(2 * there.lean) * sine
+        excess = far * sine * sine * cosine - 2 * there.stiffness * cosine * cosine - bent
     split, rate = excess < 0, sqrt(product + larger(excess, 0))
     if any_of(split):
         mean = -(2 * beta * cos_middle + eta * cosine * cos_double)
-        apart = mean_less_field(eta, basin, centre, half_width, near, far, height, mean)
+        apart = mean_less_field(eta, basin, centre, half_width, near, far, height, there, mean)
         rate = pick(split, sine * sqrt(apart * (mean + eta) / pick(split, product - excess, 1)), rate)
     return sqrt(product / 2), rate / 2
 
 
-def mean_less_field(eta, basin, centre, half_width, near, far, height, mean):
+def mean_less_field(eta, basin, centre, half_width, near, far, height, there, mean):
     """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
     level."""
     apart = mean - eta
     close = apart <= 0.1 * eta
+    if there is not None:
+        return larger(pick(close, far - 2 * eta * sin(there.lean) * sin(there.lean), apart), epsilon() * far / 4)
     if any_of(close):
         # 2(axis − α), and 2(middle − α).
         axis = atan2(basin.axis.double_sine, basin.axis.double_cosine)

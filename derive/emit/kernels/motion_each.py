@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 18655f781c3cd3953ab70ad745b3d703185c3f311e133ef2ec0b39e31de166cd
+Digest of the inputs: sha256 934e4f0e2b6e3c21ff01c030cdf3dd64c9b63e598135638870d6250ff8c2a8c2
 """
 
 from __future__ import annotations
@@ -48,6 +48,7 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
     # Near the high end the clamp is told from there, else as the tip is: the clamp's own distances are exact.
     done, apart = piece.clamp_gap + drop, each_pick(upper, piece.past_hill - from_hill, piece.past_well + depth)
     done = each_pick(done < 0.5 * each_pick(upper, from_hill, each_abs(piece.past_well)), done, apart)
+    there = None
     if basin.even:
         half_width = depth + turn_to_each(well, basin.axis)
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
@@ -56,7 +57,7 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
         half_width, left, far_moment, far_distance = parallel_side_each(beta, eta, piece, rise, drop, from_hill, depth)
         half_width = (done + left) / 2 if piece.high_kind == "turn" else half_width
     else:
-        half_width, left, far_moment, far_distance = far_side_each(eta, piece, rise, drop, depth, done, height)
+        half_width, left, far_moment, far_distance, there = far_side_each(eta, piece, rise, drop, depth, done, height)
         if basin.shoulder is not None:
             near_moment = beside_shoulder(eta, basin, from_hill, offset, near_moment)
         near_moment = larger(near_moment, least_moment_each(basin) * each_abs(offset))
@@ -70,7 +71,7 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
     left_sine = each_sin(each_pick(left > pi, lack + done / 2, left / 2))
     half_cosine = each_sin(lack / 2)
     centre = half_width - depth - turn_to_each(well, basin.axis)
-    end, middle = rates_each(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height)
+    end, middle = rates_each(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, there)
     return Motion(
         tip,
         half_width,
@@ -130,12 +131,13 @@ def within_each(sine):
 
 
 def far_side_each(eta, piece, rise, drop, depth, done, height):
-    """Half the width of the motion, how far it goes on beyond the clamp, and the moment where it turns."""
+    """Half the width of the motion, how far it goes on beyond the clamp, the moment where it turns, how far that is
+    from the far hill, and what a shoulder tells."""
     basin = piece.basin
     hill, well, far, far_well = basin.hill, basin.well, basin.far, basin.far_well
     down = turn_to_each(far_well, far)
     if piece.low_kind == "level":
-        below = fall_each(eta, hill, piece.low_offset, rise)
+        below = -tip_fall_each(eta, piece, -rise, rise, drop)
     else:
         below = basin.far_rise + fall_each(eta, hill, 0, piece.low_offset + rise)
     if basin.passes:
@@ -157,7 +159,7 @@ def far_side_each(eta, piece, rise, drop, depth, done, height):
         half_width = (turn + depth) / 2
     far_moment = each_pick(by_hill, slope_each(eta, far, -distance), slope_each(eta, far_well, distance)) * -1
     far_moment = larger(far_moment, least_moment_each(basin) * distance)
-    return half_width, left, far_moment, each_pick(by_hill, distance, down - distance)
+    return half_width, left, far_moment, each_pick(by_hill, distance, down - distance), None
 
 
 def least_moment_each(basin):
@@ -187,25 +189,34 @@ def beyond_clamp_each(eta, piece, rise, drop, rough):
     return further_each(eta, piece.clamp_rest, piece.clamp_offset, amount, rough, far)
 
 
-def rates_each(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height):
-    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle."""
+def rates_each(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, there):
+    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle; there: the
+    far turning point, if it is beside a shoulder."""
     middle, cosine = basin.axis.angle + centre, each_cos(half_width)
     cos_middle, cos_double = each_cos(middle), each_cos(2 * (middle - field_angle))
     product = each_sqrt(near) * each_sqrt(far)
     excess = -(2 * beta * cos_middle * cosine + eta * cos_double * (1 + cosine * cosine))
+    if there is not None:
+        # The same: V at the ends of the motion is equal.
+        bent = eta * (1 + 2 * cosine * cosine) * each_sin(2 * there.lean) * sine
+        excess = far * sine * sine * cosine - 2 * there.stiffness * cosine * cosine - bent
     split, rate = excess < 0, each_sqrt(product + larger(excess, 0))
     if any_of(split):
         mean = -(2 * beta * cos_middle + eta * cosine * cos_double)
-        apart = mean_less_field_each(eta, basin, centre, half_width, near, far, height, mean)
+        apart = mean_less_field_each(eta, basin, centre, half_width, near, far, height, there, mean)
         rate = each_pick(split, sine * each_sqrt(apart * (mean + eta) / each_pick(split, product - excess, 1)), rate)
     return each_sqrt(product / 2), rate / 2
 
 
-def mean_less_field_each(eta, basin, centre, half_width, near, far, height, mean):
+def mean_less_field_each(eta, basin, centre, half_width, near, far, height, there, mean):
     """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
     level."""
     apart = mean - eta
     close = apart <= 0.1 * eta
+    if there is not None:
+        return larger(
+            each_pick(close, far - 2 * eta * each_sin(there.lean) * each_sin(there.lean), apart), epsilon() * far / 4
+        )
     if any_of(close):
         # 2(axis − α), and 2(middle − α).
         axis = each_atan2(basin.axis.double_sine, basin.axis.double_cosine)

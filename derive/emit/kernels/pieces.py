@@ -22,7 +22,7 @@ class Basin(NamedTuple):
     ridge that it passes, or the well.
 
     far_rise: V(far) − V(hill). even: the motion is symmetric about its middle. whole: far is the hill a turn on.
-    shoulder, moment: of a landscape in which a ridge is nearly there.
+    shoulder, moment: of a landscape in which a ridge is nearly there; lean: see ``shoulders.level_lean``.
     """
 
     hill: Rest
@@ -36,6 +36,7 @@ class Basin(NamedTuple):
     whole: bool
     shoulder: Rest | None = None
     moment: float = 0.0
+    lean: float = 0.0
 
 
 class Piece(NamedTuple):

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/pieces.py: do not edit, change that file.
 
-Digest of the inputs: sha256 d0547e1dc71a3d25db4e5239f718fde3102dce8d17bff6f664908de8cfc2142c
+Digest of the inputs: sha256 7373b9820764aab1cafa77ee763698cbf1be738986849f91d2a7b69481d1c8bf
 """
 
 from __future__ import annotations
@@ -119,8 +119,12 @@ def level_turn_each(ground):
     # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
     from_hill = reach_each(eta, basin.hill, ground.drop + below, down, 1)
     near = onward_each(eta, basin.hill, level, below, from_hill - level, True)
-    width = each_pick(below < above / 4, near, down - level - from_well)
-    return piece_of_each(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
+    by_level = below < above / 4
+    width, depth = (
+        each_pick(by_level, near, ground.depth - from_well),
+        each_pick(by_level, ground.depth - near, from_well),
+    )
+    return piece_of_each(basin, "level", "turn", level, width, depth, depth + at[1], 0, at)
 
 
 def pass_clamp_each(ground):
