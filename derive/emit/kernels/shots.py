@@ -13,11 +13,12 @@ from typing import NamedTuple
 from derive.emit.kernels.arithmetic import atan2, cos, exp, floor, less_quarters, pi, sin, sqrt
 from derive.emit.kernels.roots import bracketed_root
 
-SHORT_SLOW = 1.2 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
+SHORT_SLOW = 1.4 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
 LEVEL = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
-CLOSEST = 2.0**-12  # least distance of samples, as a share of how far a tip may be from the clamp angle
-UNSURE = 1e-9  # what is missed is right to less than 1e-5 of this share of that
-SLACK = 1e-4  # by how much more than the bound samples must be apart
+CLOSEST = 2.0**-26  # least distance of samples, as a share of how far a tip may be from the clamp angle
+UNSURE = 1e-10  # as a share of the same, what is missed of which the hundredth part may be wrong
+SLACK = 0.02  # by how much more than the bound samples must be apart for that
+REACH = 1e-3  # by how much more than a bound tips are looked for
 ALIKE = 1e-14  # as ``UNSURE``, what rounding may have made of zero
 BESIDE = 1e-6  # distance from a zero at which its slope is told, as a share of the same
 
@@ -43,7 +44,7 @@ def tip_shots(beta, eta, field_angle, length, clamp_angle):
         return miss_of(beta, eta, field_angle, clamp, offset)
 
     # θ″ is nowhere more than β + η/2, and no motion is wider than a turn.
-    reach = (1 + SLACK) * min((beta + eta / 2) / 2, 2 * pi)
+    reach = (1 + REACH) * min((beta + eta / 2) / 2, 2 * pi)
     samples = samples_apart(missed, reach, shot_bend(beta, eta, (exp(slow / 2) - exp(-slow / 2)) ** 2 / 2) / 2)
     return None if samples is None else zeros_between(missed, *samples, reach)
 
