@@ -9,12 +9,14 @@ from typing import Any
 
 import numpy as np
 import pytest
+from mpmath import mpf
 
 from derive.emit.kernels import blocks
 from derive.emit.kernels.block_records import rows
 from derive.emit.kernels.block_tips import Columns, no_columns
 from derive.emit.kernels.blocks import sweep_arrays as sweep_grid
 from derive.emit.kernels.equilibria import all_equilibria
+from derive.measure.reference import Rod, solve
 
 RODS = 40  # of each scene
 # Many tips of these are nearer to another than rounding, and motions pass close by a ridge.
@@ -22,6 +24,12 @@ LONG_RODS = [
     (0.14415961271963373, 1.2469795110750008, 101.93823924318994, -4.070065403351004, -0.6),
     (0.027559113243068367, 0.1246991582997512, 354.681672938378, 1.4795640811798592, pi / 2),
     (0.5412268555474342, 1.7104539485741403, 146.86619902731087, 1.4255282686199102, -0.6),
+]
+# With a tip of each: their places were off by 1.2 to 1.8 times what is allowed.
+ROUGH_RODS = [
+    ((903.3, 30.79, 0.118, 1.745, 0.0), 4.539442119267078),
+    ((31.49, 0.0, 0.687, -2.21, 0.0), -4.175230282113994),
+    ((77.47, 88.83, 0.274, 2.272, -0.313), 5.276366242519344),
 ]
 FIELDS = ("tip_angle", "clamp_curvature", "gamma", "y", "z", "energy", "index")
 
@@ -72,6 +80,17 @@ def test_same_equilibria_as_the_scalar_solver(scene: str) -> None:
     assert table.case.size > RODS
     for case in range(RODS):
         assert_alike(table_rows(table, case), scalar_rows(rods, case), rods[2][case])
+
+
+@pytest.mark.parametrize(("rod", "tip"), ROUGH_RODS)
+def test_places_keep_their_bound(rod: tuple[float, ...], tip: float) -> None:
+    """Four roundings of the length and what one rounding of the inputs makes, as the scalar solver does."""
+    wanted = solve(Rod(*rod), tip, 25)
+    table = sweep_arrays([np.full(blocks.FEWEST, part) for part in rod])
+    row = np.abs(table.tip_angle - tip).argmin()
+    for name, size in (("y", rod[2]), ("z", rod[2]), ("tip_angle", 1.0)):
+        error = abs(float(mpf(float(getattr(table, name)[row])) - wanted.values[name]))
+        assert error < 2.0**-52 * (4 * size + wanted.sensitivity[name])
 
 
 def test_only_the_indices_asked_for() -> None:

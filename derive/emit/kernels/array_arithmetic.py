@@ -28,6 +28,7 @@ __all__ = [
     "each_abs",
     "each_acos",
     "each_acosh",
+    "each_arc_excess",
     "each_arctan_share",
     "each_asin",
     "each_asinh",
@@ -129,11 +130,23 @@ def each_complex_sqrt(z):
 
 
 def each_complex_atanh(root, end):
-    """artanh r for Re r ≥ 0 and end = 1 − r², by real functions: no logarithm of a number near 1 where r is small."""
-    ahead = 1 + root
-    share = each_abs(ahead) / each_abs(end)
-    turned = ahead * ahead / end
-    return each_complex_of(log1p(4 * root.real * share * share) / 4, each_atan2(turned.imag, turned.real) / 2)
+    """artanh r for Re r ≥ 0 and end = 1 − r², by real functions: no digits are lost where r is small, or near 1."""
+    x, y, left, below = root.real, root.imag, end.real, end.imag
+    ahead, less, more, small = 1 + root, 1 - x, 1 + x, x < 0.5
+    # 1/|1 − r|², and the argument of (1 + r)/(1 − r): by its tangent 2 Im r/(1 − |r|²), or of (1 + r)²/end.
+    share = each_where(small, 1 / (less * less + y * y), (more * more + y * y) / (left * left + below * below))
+    turned = ahead * ahead * end.conjugate()
+    angle = each_atan2(each_where(small, 2 * y, turned.imag), each_where(small, left - 2 * y * y, turned.real))
+    return each_complex_of(log1p(4 * x * share) / 4, angle / 2)
+
+
+def each_arc_excess(x):
+    """x − sin x, by its series where x is small."""
+    square = x * x
+    share = 1.0
+    for number in (272, 210, 156, 110, 72, 42, 20):
+        share = 1 - square / number * share
+    return each_where(x > 1, x - each_sin(x), x * square / 6 * share)
 
 
 def each_arctan_share(z, end):

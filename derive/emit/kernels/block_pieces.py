@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from numpy import abs, concatenate, flatnonzero, full, inf, log, where, zeros
+from numpy import abs, arange, concatenate, flatnonzero, full, inf, log, unique, where, zeros
 
 from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import any_of
@@ -139,11 +139,9 @@ def by_landscape(rods):
     if any_of(across & ~strong):
         single = chosen(rods, across & ~strong)
         yield single, orthogonal_single_each(single.beta, single.eta)
-    left, right = ~free & (angle > 0) & (angle < pi / 2), ~free & (angle < 0)
-    if any_of(left):
-        yield from inclined(chosen(rods, left), 1)
-    if any_of(right):
-        yield from inclined(chosen(rods, right), -1)
+    slanted = ~free & (angle != 0) & (angle < pi / 2)
+    if any_of(slanted):
+        yield from inclined(chosen(rods, slanted))
 
 
 def along_force(rods):
@@ -160,21 +158,41 @@ def along_force(rods):
         yield single, parallel_single_each(single.beta, single.eta)
 
 
-def inclined(rods, side):
-    """``by_landscape`` of rods with field angles between the force and a quarter turn to one side."""
-    alone = rods.beta == 0
+def inclined(rods):
+    """``by_landscape`` of rods with the field at an angle: a rod and its mirror image have one landscape for both."""
+    _, one, which = unique(rods.case, return_index=True, return_inverse=True)
+    loads = rows(rods, one)
+    loads = loads._replace(field_angle=abs(loads.field_angle))
+    for found, scene in oblique_landscapes(loads):
+        number = full(one.shape, -1)
+        number[found] = arange(found.size)
+        place = number[which]
+        for side in (1, -1):
+            some = flatnonzero((place >= 0) & (side * rods.field_angle > 0))
+            if some.size:
+                yield rows(rods, some), facing(rows(scene, place[some]), side)
+
+
+def oblique_landscapes(loads):
+    """The numbers of the loads with landscapes of one kind, and those."""
+    alone = loads.beta == 0
     if any_of(alone):
-        field = chosen(rods, alone)
-        yield field, facing(oblique_alone_each(field.eta, side * field.field_angle), side)
+        found, field = numbered(loads, alone)
+        yield found, oblique_alone_each(field.eta, field.field_angle)
     if any_of(~alone):
-        both = chosen(rods, ~alone)
-        pair = has_second_pair_each(both.beta, both.eta, side * both.field_angle)
-        if any_of(pair):
-            double = chosen(both, pair)
-            yield double, facing(oblique_double_each(double.beta, double.eta, side * double.field_angle), side)
-        if any_of(~pair):
-            single = chosen(both, ~pair)
-            yield single, facing(oblique_single_each(single.beta, single.eta, side * single.field_angle), side)
+        pair = has_second_pair_each(loads.beta, loads.eta, loads.field_angle)
+        if any_of(~alone & pair):
+            found, double = numbered(loads, ~alone & pair)
+            yield found, oblique_double_each(double.beta, double.eta, double.field_angle)
+        if any_of(~alone & ~pair):
+            found, single = numbered(loads, ~alone & ~pair)
+            yield found, oblique_single_each(single.beta, single.eta, single.field_angle)
+
+
+def numbered(rods, mask):
+    """The numbers of some of the rods, and those, by a mask or by one truth value for all of them."""
+    which = flatnonzero(full(rods.case.shape, mask))
+    return which, rows(rods, which)
 
 
 def facing(scene, side):
@@ -184,7 +202,7 @@ def facing(scene, side):
 
 def chosen(rods, mask):
     """Some of the rods, by a mask, or by one truth value for all of them."""
-    return rows(rods, flatnonzero(full(rods.case.shape, mask)))
+    return numbered(rods, mask)[1]
 
 
 def ground_of_kind(rods, scene, clamp):

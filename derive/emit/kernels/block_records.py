@@ -22,11 +22,12 @@ def each_array(record, change, done=None):
     for part in record:
         if isinstance(part, (ndarray, tuple)):
             key = id(part)
-            if key not in done:
-                done[key] = change(part) if isinstance(part, ndarray) else each_array(part, change, done)
-            part = done[key]
+            changed = done.get(key)
+            if changed is None:
+                done[key] = changed = change(part) if isinstance(part, ndarray) else each_array(part, change, done)
+            part = changed
         parts.append(part)
-    return type(record)(*parts) if hasattr(record, "_fields") else tuple(parts)
+    return tuple.__new__(type(record), parts)
 
 
 def rows(record, which):
@@ -38,6 +39,15 @@ def rows(record, which):
         if which.size == size:
             return record
     return each_array(record, lambda array: array.take(which))
+
+
+def put_rows(record, which, other):
+    """Other values for some of the rods, in the record itself."""
+    for part, values in zip(record, other, strict=True):
+        if isinstance(part, ndarray):
+            part[which] = values
+        elif isinstance(part, tuple):
+            put_rows(part, which, values)
 
 
 def rounded_to(record, kind):

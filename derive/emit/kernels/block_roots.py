@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from numpy import abs, bincount, concatenate, flatnonzero, full, maximum, minimum, nan, where, zeros
+from numpy import abs, arange, bincount, flatnonzero, full, maximum, minimum, nan, where, zeros
 
 from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import each_atan2, each_sqrt
-from derive.emit.kernels.block_records import rounded_to, rows
+from derive.emit.kernels.block_records import put_rows, rounded_to, rows
 from derive.emit.kernels.motion_each import motion_at_each
 from derive.emit.kernels.swing_each import lengths_each, phase_of_each
 
 STEPS = 3  # rough steps, after which most places are right to single precision
+MOVING = 1e-6  # a step after which another one is not yet as small as rounding
+NOISE = 3  # roundings of the length that the times may have of their own
 TOLD = 1e-10  # change of a place from which the change of a length tells the slope
 SECANTS = 2  # evaluations before any place is looked at for being right to rounding: next to none is
 SPREAD = 2.0**-9  # distance of two places from which they tell the slope of a branch in single precision
@@ -45,6 +47,15 @@ class Found(NamedTuple):
     arrival: Any
 
 
+class Times(NamedTuple):
+    """A motion with its phase at the clamp, half-swing and first arrival."""
+
+    motion: Any
+    phase: Any
+    swing: Any
+    arrival: Any
+
+
 def rough_times(rods, piece, place):
     """Half-swing and first arrival, to the square of a thousandth or the rounding of the numbers given."""
     motion = motion_at_each(rods.beta, rods.eta, rods.field_angle, piece, place)
@@ -68,10 +79,11 @@ def surplus(swing, arrival, turns, sign, length):
     return 2 * turns * swing + sign * arrival - length
 
 
-def approached(function, left, right, value_left, value_right, steps, spread):
+def approached(function, left, right, value_left, value_right, steps, spread, again=0):
     """Approximate zeros by Chandrupatla's method (1997): places, and the slopes there.
 
-    spread: the distance of two places from which they tell a slope.
+    function(places, which): the values, of those rows. spread: the distance of two places from which they tell a slope.
+    again: how often those that still move go through as many steps alone.
     """
     a, b, value_a, value_b = left, right, value_left, value_right
     slope = (value_a - value_b) / (a - b)
@@ -81,7 +93,7 @@ def approached(function, left, right, value_left, value_right, steps, spread):
     fraction[inside] = secant[inside]
     for _ in range(steps):
         trial = a + fraction * (b - a)
-        value = function(trial)
+        value = function(trial, slice(None))
         same = (value > 0) == (value_a > 0)
         c, value_c = where(same, a, b), where(same, value_a, value_b)
         b, value_b = where(same, b, a), where(same, value_b, value_a)
@@ -91,7 +103,15 @@ def approached(function, left, right, value_left, value_right, steps, spread):
         fraction, safe = inverse_quadratic(a, b, c, value_a, value_b, value_c)
     # No half way at last: the latest place may be the zero itself.
     step = minimum(maximum(value_a / (slope * (a - b)), 0), 1)
-    return a + where(safe, fraction, where(value_a == 0, 0, step)) * (b - a), slope
+    move = where(safe, fraction, where(value_a == 0, 0, step)) * (b - a)
+    place = a + move
+    far = flatnonzero(abs(move) > MOVING) if again else zeros(0, dtype=int)
+    if far.size:
+        ends = a[far], b[far], value_a[far], value_b[far]
+        place[far], slope[far] = approached(
+            lambda trial, which: function(trial, far[which]), *ends, steps, spread, again - 1
+        )
+    return place, slope
 
 
 def inverse_quadratic(a, b, c, value_a, value_b, value_c):
@@ -108,7 +128,7 @@ def roughly_at(group, brackets, kind):
     """Rough crossings of a group with a row for each: places, and the slope of the branch there."""
     turns, sign, some = brackets.turns.astype(kind), brackets.sign.astype(kind), rounded_to(group, kind)
 
-    def value(trial):
+    def value(trial, which):
         swing, arrival = rough_times(some.rods, some.piece, trial)
         return surplus(swing, arrival, turns, sign, some.rods.length)
 
@@ -120,41 +140,54 @@ def roughly_at(group, brackets, kind):
 def polished(some, brackets, place, slope, secants, ease):
     """The crossings to rounding, by secants from rough ones, and the ranges in which one is not found so.
 
-    some: the group with a row for each; secants: as many before any is looked at for being right to rounding; ease: by
-    how much more is taken for rounding after each more.
+    some: the group with a row for each; secants: as many before any is looked at for being right to rounding; ease:
+    after how many more twice as much is taken for rounding.
     """
+    wanted, crossed = brackets.range, (brackets.value_left > 0) != (brackets.value_right > 0)
+    some, brackets, place, slope = rows((some, brackets, place, slope), crossed)
     least, most = minimum(brackets.left, brackets.right) - 0.01, maximum(brackets.left, brackets.right) + 0.01
-    rising = (brackets.value_right > brackets.value_left) == (brackets.right > brackets.left)
-    todo = flatnonzero((brackets.value_left > 0) != (brackets.value_right > 0))
-    value, before, parts = full(place.shape, nan), place.copy(), []
+    value, before, todo, found = full(place.shape, nan), place.copy(), arange(place.size), None
+    settled = zeros(place.shape, dtype=bool)
     for turn in range(8):
-        here, branch = (some, brackets) if todo.size == place.size else rows((some, brackets), todo)
-        at, extent = place[todo], here.rods.length
-        motion = motion_at_each(here.rods.beta, here.rods.eta, here.rods.field_angle, here.piece, at)
-        phase = phase_of_each(motion)
-        swing, arrival = lengths_each(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
-        now = surplus(swing, arrival, branch.turns, branch.sign, extent)
-        if turn:
-            change = at - before[todo]
-            told = abs(change) > TOLD * (1 + abs(at))
-            slope[todo] = where(told, (now - value[todo]) / where(told, change, 1), slope[todo])
-        step = now / slope[todo]
-        if turn >= secants:
-            # What is left time and again is rounding of the times themselves.
-            blur = 4 * epsilon() * ease ** max(turn - 1, 0)
-            close = (abs(step) <= blur * (1 + abs(at))) | (abs(now) <= blur * extent)
-            state = Found(branch.range, at, branch.turns, branch.sign, rising[todo], motion, phase, swing, arrival)
-            parts.append(state if close.all() else rows(state, close))
-            todo, at, now, step = todo[~close], at[~close], now[~close], step[~close]
-        value[todo], before[todo] = now, at
-        place[todo] = at = at - step
-        todo = todo[(at >= least[todo]) & (at <= most[todo])]
         if not todo.size:
             break
-    return parts, lost_ranges(brackets, parts)
+        whole = todo.size == place.size
+        here, branch = (some, brackets) if whole else rows((some, brackets), todo)
+        at, extent = place[todo], here.rods.length
+        times = times_at(here, at)
+        if whole:
+            found = times
+        else:
+            put_rows(found, todo, times)
+        now = surplus(times.swing, times.arrival, branch.turns, branch.sign, extent)
+        change = at - before[todo]
+        told = abs(change) > TOLD * (1 + abs(at))
+        slope[todo] = steep = where(told, (now - value[todo]) / where(told, change, 1), slope[todo])
+        step = now / steep
+        value[todo], before[todo] = now, at
+        if turn >= secants:
+            # What is left time and again is rounding of the times themselves; half way leaves less of it.
+            blur = epsilon() * 2 ** min(turn - secants, ease)
+            close = (abs(step) <= blur * (1 + abs(at))) | (abs(now) <= blur * extent)
+            settled[todo] = close
+            step = where(abs(now) <= NOISE * epsilon() * extent, step / 2, step)
+            todo, at, step = todo[~close], at[~close], step[~close]
+        place[todo] = at = at - step
+        todo = todo[(at >= least[todo]) & (at <= most[todo])]
+    rising = (brackets.value_right > brackets.value_left) == (brackets.right > brackets.left)
+    tips = rows(Found(brackets.range, place, brackets.turns, brackets.sign, rising, *found), settled)
+    return tips, lost_ranges(wanted, tips.range)
 
 
-def lost_ranges(brackets, parts):
-    """The ranges of which not every crossing has been found."""
-    wanted, found = bincount(brackets.range), zeros(0, dtype=int)
-    return flatnonzero(wanted != bincount(concatenate([found, *(part.range for part in parts)]), minlength=wanted.size))
+def times_at(group, place):
+    """The motions of tips at places of a group, one on each range, and their times."""
+    motion = motion_at_each(group.rods.beta, group.rods.eta, group.rods.field_angle, group.piece, place)
+    motion = motion._replace(uneven=motion.uneven + 0 * place)  # of an even basin it is a number
+    phase = phase_of_each(motion)
+    return Times(motion, phase, *lengths_each(motion.end / 2, motion.middle / 2, phase.square, phase.rest))
+
+
+def lost_ranges(wanted, found):
+    """The ranges of which not every crossing has been found: as often as they are wanted."""
+    number = bincount(wanted)
+    return flatnonzero(number != bincount(found, minlength=number.size))

@@ -41,6 +41,8 @@ WIDE = 0.75  # first step between samples
 CLOSER = 0.25  # the same where those leave a doubt
 FINER = linspace(0, 1, 17)  # shares of the way from one sample to the next but one
 HITS = 0  # as ``SECANTS``, for tips that are known nearly to rounding
+EASE = 2  # how often the rounding that is taken for none is doubled: times of long rods have more of it
+SHOT_EASE = 7  # the same where tips are known nearly, and only near folds take more than a few steps
 RANGES = 1024  # ranges at once: arrays that stay in the cache
 
 
@@ -85,15 +87,12 @@ def settled(part, which, brackets, place, slope, secants, doubts):
     if not brackets.range.size:
         return [], which[doubts]
     some = rows(part, brackets.range)
-    ease = 2
+    ease = SHOT_EASE
     if place is None:
         place, slope = roughly_at(some, brackets, brackets.left.dtype)
-        ease = 1
-    found, lost = polished(some, brackets, place, slope, secants, ease)
+        ease = EASE
+    sure, lost = polished(some, brackets, place, slope, secants, ease)
     doubtful = concatenate([doubts, lost])
-    if not found:
-        return [], which[doubtful]
-    sure = joined(found)
     if doubtful.size:
         sure = rows(sure, ~isin(sure.range, doubtful))
     return [sure._replace(range=which[sure.range])], which[doubtful]

@@ -6,12 +6,12 @@ from typing import Any, NamedTuple
 
 from numpy import abs, cos, flatnonzero, floor, full, ldexp, sin, sqrt, where, zeros
 
+from derive.emit.kernels.arcs import Heading
 from derive.emit.kernels.arcs_each import (
     arc_from_far_each,
     arc_to_each,
     clamp_point_each,
     far_point_each,
-    heading_of_each,
     sent_back_each,
 )
 from derive.emit.kernels.arithmetic import pi
@@ -37,6 +37,16 @@ class Columns(NamedTuple):
     index: Any
 
 
+class Tips(NamedTuple):
+    """Tips that have been found: their rods, the rank of the range and the whole turns of the clamp, and the motions."""
+
+    rods: Any
+    rank: Any
+    turns: Any
+    found: Any
+
+
+TIPS = 4096  # arcs at once: arrays that stay in the cache
 LAST = 100  # beyond the rank of any range
 
 
@@ -53,26 +63,34 @@ def index_each(found):
     return where(positive == (swings % 2 == 0), swings, swings + 1).astype(int)
 
 
-def bent(group, found, most):
-    """The equilibria of tips on their branches."""
-    index = index_each(found)
-    wanted = flatnonzero(index <= most)
-    if wanted.size < index.size:
-        found, index = rows(found, wanted), index[wanted]
-    rods, rank, turns = rows((group.rods, group.rank, group.turns), found.range)
+def bent_rods(tips, most):
+    """The equilibria of tips on their branches, a list of Columns."""
+    index = index_each(tips.found)
+    tips, index = rows((tips, index), index <= most)
+    parts = []
+    for stretch, there in ((first_stretches, tips.found.sign > 0), (last_stretches, tips.found.sign < 0)):
+        some = rows((tips, index), there)
+        for start in range(0, some[1].size, TIPS):
+            parts.append(bent(*rows(some, slice(start, start + TIPS)), stretch))
+    return parts
+
+
+def bent(tips, index, stretch):
+    """The equilibria of tips from which the clamp is reached at last by stretches of one kind."""
+    rods, found = tips.rods, tips.found
     motion, phase = found.motion, found.phase
     beta, eta, length = rods.beta, rods.eta, rods.length
-    heading = heading_of_each(rods.field_angle, motion)
-    y, z, square = departures(rods, heading, found)
+    heading = heading_at(rods.field_angle, motion)
+    y, z, square = departures(rods, heading, found, stretch)
     speed = phase.delta * phase.whole / (motion.end * motion.sine) * sqrt(2 * motion.done_sine * motion.left_sine)
     gamma = 2 * beta * heading.cosine + eta * (1 + heading.double_cosine) / 2
     energy = -gamma * length / 2 - 2 * beta * y - square
     scale, side = rods.scale, rods.side
     return Columns(
         rods.case,
-        side * (rank - LAST),
+        side * (tips.rank - LAST),
         side * found.place,
-        side * (motion.tip + 2 * pi * turns),
+        side * (motion.tip + 2 * pi * tips.turns),
         -side * found.sign * ldexp(speed, scale),
         ldexp(gamma, 2 * scale),
         ldexp(length * heading.cosine + y, -scale),
@@ -82,9 +100,15 @@ def bent(group, found, most):
     )
 
 
-def departures(rods, heading, found):
+def heading_at(field_angle, motion):
+    """``heading_of`` by NumPy's own sine and cosine: a rounding of them is one of the tip's place."""
+    double = 2 * (motion.tip - field_angle)
+    return Heading(cos(motion.tip), sin(motion.tip), cos(double), sin(double))
+
+
+def departures(rods, heading, found, stretch):
     """The arcs of the rods, less those of straight ones: of whole half-swings, and of the last stretch."""
-    columns = [zeros(found.turns.size) for _ in range(3)]
+    columns = stretch(rods, heading, found)
     motion, swing, through = found.motion, found.swing, 2 * found.turns - (found.sign < 0)
     swung = flatnonzero(found.turns > 0)
     if swung.size:
@@ -92,12 +116,7 @@ def departures(rods, heading, found):
         one, none = full(swung.shape, 1.0), zeros(swung.size)
         whole = arc_to_each(some.beta, some.eta, there, motion, far_point_each(motion), one, none, swing)
         for column, change in zip(columns, whole, strict=True):
-            column[swung] = times * change
-    for which, stretch in ((found.sign > 0, first_stretches), (found.sign < 0, last_stretches)):
-        some = flatnonzero(which)
-        if some.size:
-            for column, change in zip(columns, stretch(*rows((rods, heading, found), some)), strict=True):
-                column[some] += change
+            column[swung] += times * change
     return columns
 
 
@@ -111,7 +130,7 @@ def first_stretches(rods, heading, found):
 def last_stretches(rods, heading, found):
     """The arcs from the last turning point to the clamp, of rods that end on their way back."""
     back, extent = sent_back_each(found.motion), found.swing - found.arrival
-    there, phase = heading_of_each(-rods.field_angle, back), phase_of_each(back)
+    there, phase = heading_at(-rods.field_angle, back), phase_of_each(back)
     point = clamp_point_each(back, phase)
     arc = arc_to_each(rods.beta, rods.eta, there, back, point, phase.square, phase.rest, extent)
     return arc_from_far_each(rods.eta, heading, there, arc, extent)

@@ -32,7 +32,7 @@ from derive.emit.kernels.block_pieces import Rods, groups
 from derive.emit.kernels.block_records import element, joined, rows, slab
 from derive.emit.kernels.block_search import tips
 from derive.emit.kernels.block_shots import is_shot, shots_of
-from derive.emit.kernels.block_tips import Columns, bent, no_columns, straight_rods
+from derive.emit.kernels.block_tips import Columns, Tips, bent_rods, no_columns, straight_rods
 from derive.emit.kernels.equilibria import all_equilibria
 
 BLOCK = 8192  # rods at once
@@ -179,10 +179,12 @@ def on_arrays(rods, shots, most):
     """The equilibria of rods with tips below the clamp angle, the straight ones, and the cases left to the scalar
     solver."""
     found, straight, doubtful = groups(rods)
-    parts, left = [no_columns()], [doubtful]
+    known, left = [], [doubtful]
     for group in found:
         tip, lost = tips(group, shots, most)
         left.append(group.rods.case[lost])
-        parts += [bent(group, some, most) for some in tip]
-    parts += [straight_rods(some, most) for some in straight]
+        known += [Tips(*rows((group.rods, group.rank, group.turns), some.range), some) for some in tip]
+    parts = [no_columns(), *(straight_rods(some, most) for some in straight)]
+    if known:
+        parts += bent_rods(joined(known), most)
     return joined(parts), concatenate(left)

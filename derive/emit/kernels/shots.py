@@ -11,6 +11,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import atan2, cos, exp, floor, less_quarters, pi, sin, sqrt
+from derive.emit.kernels.formulas import shot_bend
 from derive.emit.kernels.roots import bracketed_root
 
 SHORT_SLOW = 1.4 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
@@ -78,11 +79,6 @@ def wp_after_one(g2, g3):
         above = squared + quarter
         value = (above * above + twice * value) / (value * (4 * squared - g2) - g3)
     return value
-
-
-def shot_bend(beta, eta, growth):
-    """A bound of |∂²θ(0)/∂θ(ℓ)²| for every tip, by cosh(ℓ√(β + η)) − 1."""
-    return (beta + 2 * eta) * growth * (growth + 3) / (3 * (beta + eta))
 
 
 def samples_apart(function, reach, sag):
