@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import atan2, cos, exp, floor, less_quarters, pi, sin, sqrt
 from derive.emit.kernels.formulas import shot_bend
-from derive.emit.kernels.roots import bracketed_root
+from derive.emit.kernels.roots import smooth_root
 
 SHORT_SLOW = 1.4 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
 LEVEL = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
@@ -21,7 +21,6 @@ UNSURE = 1e-10  # as a share of the same, what is missed of which the hundredth 
 SLACK = 0.02  # by how much more than the bound samples must be apart for that
 REACH = 1e-3  # by how much more than a bound tips are looked for
 ALIKE = 1e-14  # as ``UNSURE``, what rounding may have made of zero
-BESIDE = 1e-6  # distance from a zero at which its slope is told, as a share of the same
 
 
 class Shot(NamedTuple):
@@ -111,7 +110,6 @@ def zeros_between(function, places, values, reach):
     found = []
     for k in range(1, len(places)):
         if (values[k] > 0) != (values[k - 1] > 0):
-            known = [k - 1, k, *([k - 2] if k > 1 else []), *([k + 1] if k + 1 < len(places) else [])]
-            offset = bracketed_root(function, [places[j] for j in known], [values[j] for j in known], ALIKE * reach)
-            found.append(Shot(offset, function(offset + BESIDE * reach) / (BESIDE * reach)))
+            span = places[k - 1], places[k], values[k - 1], values[k]
+            found.append(Shot(*smooth_root(function, *span, ALIKE * reach)))
     return found
