@@ -104,7 +104,7 @@ def at_once(beta, eta, length, clamp_angle, field_angle, size, most):
     rods = rows(Rods(arange(size), 1, scale, force, magnet, extent, clamp, field, slow, slow < 0), good)
     rods, shots = with_shots(rods, size)
     found, doubtful = on_arrays(rods, shots, most)
-    return found, unique(concatenate([flatnonzero(~good), doubtful, flatnonzero(short(found, size, most))]))
+    return found, unique(concatenate([flatnonzero(~good), doubtful, flatnonzero(short(found, shots, size, most))]))
 
 
 def with_shots(rods, size):
@@ -135,12 +135,14 @@ def both_sides_each(rods):
     )
 
 
-def short(found, size, most):
+def short(found, shots, size, most):
     """The rods of which an equilibrium is missing: those of even and of odd index differ by one in number (the
-    degree of the equation is that of the rod without load), and the least energy has index 0."""
+    degree of the equation is that of the rod without load), the least energy has index 0, and every shot ends in one.
+    """
     if most < inf:
         return bincount(found.case, minlength=size) == 0
-    return bincount(found.case, weights=1 - 2 * (found.index % 2), minlength=size) != 1
+    balance = bincount(found.case, weights=1 - 2 * (found.index % 2), minlength=size)
+    return (balance != 1) | (bincount(found.case, minlength=size) < shots.number[0::2] + shots.number[1::2])
 
 
 def principal_each(field_angle):

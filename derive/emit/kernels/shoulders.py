@@ -37,7 +37,9 @@ def with_shoulder_level(eta, piece):
     above = -fall(eta, basin.well, 0, -upper)
     down = turn_to(basin.hill, basin.well)
     by_hill = drop < above
-    distance = reach(eta, pick_rest(by_hill, basin.hill, basin.well), pick(by_hill, drop, above), down, 1 if by_hill else -1)
+    distance = reach(
+        eta, pick_rest(by_hill, basin.hill, basin.well), pick(by_hill, drop, above), down, 1 if by_hill else -1
+    )
     level, start = (distance, distance) if by_hill else (down - distance, -distance)
     width = piece.width - level
     if piece.high_kind == "turn":
