@@ -64,20 +64,15 @@ def miss_of(beta, eta, field_angle, clamp_angle, offset):
     along, across, half = beta * cos(tip), beta * sin(tip), eta / 2 * sin(double)
     p, m, q = across + half, across - half, along + eta * cos(double)
     quarter, c = p * m / 4, q / 12
-    value = wp_after_one(q * c - quarter, (quarter - q * q / 18) * c - along * p * p / 16)
-    return offset + 2 * atan2(p / 4, value - c)
-
-
-def wp_after_one(g2, g3):
-    """℘(1) by the series at 1/8 and the duplication formula."""
-    a, b = g2 / 81920, g3 / 7340032
+    g2, g3 = q * c - quarter, (quarter - q * q / 18) * c - along * p * p / 16
+    # ℘(1) by the series at 1/8 and three doublings.
+    a, b, fourth, twice = g2 / 81920, g3 / 7340032, g2 / 4, 2 * g3
     value = 64 * (1 + a + b + a * a / 3 + a * b * (3 / 11) + (2 * a * a * a / 3 + b * b) / 13)
-    quarter, twice = g2 / 4, 2 * g3
     for _ in range(3):
         squared = value * value
-        above = squared + quarter
+        above = squared + fourth
         value = (above * above + twice * value) / (value * (4 * squared - g2) - g3)
-    return value
+    return offset + 2 * atan2(p / 4, value - c)
 
 
 def samples_apart(function, reach, sag):
