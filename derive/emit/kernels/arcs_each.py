@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/arcs.py: do not edit, change that file.
 
-Digest of the inputs: sha256 f0bbb8f0347c34e5538f5534a6d09d724fda7d8e953602954b81dbe157cea33e
+Digest of the inputs: sha256 70a1a8a54f4e096be6fab6568054919b0406cfb393b816b737c3f4dce01704ef
 """
 
 from __future__ import annotations
@@ -152,26 +152,31 @@ def rj_pair_each(x, product, root_sum, p, lift, less, twist):
     positive terms only in x, y, z. Where √p and −√y are near each other, their sum follows from their difference.
     """
     pair = root_sum * root_sum - 2 * product
-    mean = start = (x + pair + 2 * p) / 5
+    fivefold = x + pair + (p + p)
+    start = fivefold / 5
     one, two = start - x, 2 * start - pair
     both = start * start - start * pair + product * product
-    reach = each_abs(one) + each_abs(start - p) + each_sqrt(each_abs(both))
+    reach = 5 * (each_abs(one) + each_abs(start - p) + each_sqrt(each_abs(both)))
     target = (epsilon() / 4) ** 0.125
     scale, total = 1, 0
-    while any_of(reach > target * scale * each_abs(mean)):
+    while any_of(reach > target * scale * each_abs(fivefold)):
         root, root_p = each_sqrt(x), each_complex_sqrt(p)
         side, across = root_p * root_sum, root * root_sum
-        plus, minus = lift + side, lift - side
-        cancels = (each_abs(plus) < each_abs(minus)) & (scale == 1)
-        d = (root_p + root) * each_pick(cancels, twist / (less * each_pick(cancels, minus, 1)), plus)
+        plus = lift + side
+        if scale == 1:
+            minus = lift - side
+            cancels = each_abs(plus) < each_abs(minus)
+            plus = each_pick(cancels, twist / (less * each_pick(cancels, minus, 1)), plus)
+        d = (root_p + root) * plus
         raised, lifted = (lift + across, each_sqrt(x + product + across))
-        end = 2 * root_p * raised / d
+        end = (root_p + root_p) * raised / d
         total = total + each_arctan_share(twist / (scale * scale * scale * d * d), end) / (scale * d)
         pair = root_sum * (root_sum + 2 * root) / 4
-        x, p = (x + product + across) / 4, raised / 4
+        x, p = (x + product + across) / 4, raised * 0.25  # a quotient of complex numbers takes longer
         product, root_sum = root_sum * lifted / 4, each_sqrt(root_sum * (root_sum + 2 * root + 2 * lifted)) / 2
-        lift, mean = p + product, (x + pair + 2 * p) / 5
+        lift, fivefold = p + product, x + pair + (p + p)
         scale *= 4
+    mean = fivefold / 5
     size = scale * mean
     a, b, c = one / size, two / size, both / (size * size)
     d = -(a + b) / 2

@@ -85,17 +85,17 @@ def bent(tips, index, stretch):
     speed = phase.delta * phase.whole / (motion.end * motion.sine) * sqrt(2 * motion.done_sine * motion.left_sine)
     gamma = 2 * beta * heading.cosine + eta * (1 + heading.double_cosine) / 2
     energy = -gamma * length / 2 - 2 * beta * y - square
-    scale, side = rods.scale, rods.side
+    unit, side = ldexp(1.0, rods.scale), rods.side
     return Columns(
         rods.case,
         side * (tips.rank - LAST),
         side * found.place,
         side * (motion.tip + 2 * pi * tips.turns),
-        -side * found.sign * ldexp(speed, scale),
-        ldexp(gamma, 2 * scale),
-        ldexp(length * heading.cosine + y, -scale),
-        side * ldexp(length * heading.sine + z, -scale),
-        ldexp(energy, scale),
+        -side * found.sign * speed * unit,
+        gamma * unit * unit,
+        (length * heading.cosine + y) / unit,
+        side * (length * heading.sine + z) / unit,
+        energy * unit,
         index,
     )
 
