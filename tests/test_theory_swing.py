@@ -145,14 +145,14 @@ def test_moments_and_drops(formulas, motions):
         for offset in (mpf("1.3"), mpf("-0.2"), mpf(10) ** -18):
             found = formulas["rest_moment"](*known, *halves(offset))
             assert abs(found - motion.slope(rest + offset)) < CLOSE
-            found = formulas["rest_drop"](*known, *halves(offset))
-            assert abs(found - (motion.potential(rest) - motion.potential(rest + offset))) < CLOSE
             found = formulas["rest_fall"](*known, *halves(offset / 3), *halves(offset))
             ends = (rest + offset / 3 - offset, rest + offset / 3 + offset)
             assert abs(found - (motion.potential(ends[0]) - motion.potential(ends[1]))) < CLOSE
         small = mpf(10) ** -12
         assert abs(formulas["rest_moment"](*known, *halves(small)) / small - stiffness) < small * 10
-        assert abs(formulas["rest_drop"](*known, *halves(small)) * 2 / small**2 - stiffness) < small * 10
+        # Half of the offset is the middle, and half of the difference.
+        found = formulas["rest_fall"](*known, *halves(small / 2), *halves(small / 2))
+        assert abs(found * 2 / small**2 - stiffness) < small * 10
         ahead = motion.half_width / 3
         found = formulas["level_drop"](*motion.field, motion.middle, ahead)
         expected = motion.potential(motion.middle - ahead) - motion.potential(motion.middle + ahead)
@@ -330,21 +330,21 @@ def test_energy_by_the_phase(formulas, motions):
             root = formulas["far_root"](place.near_factor, mp.cos(motion.half_width))
             others = formulas["others_sum"](place.q, root)
             both = formulas["others_product"](place.b, place.m, root, others)
-            kinks = [formulas["arc_kink"](square, delta, across, place.b, place.pole, mp.sqrt(place.near), product)]
+            at = (first, square, delta, across, place.b, place.pole, root, mp.sqrt(place.near), product)
+            kinks = [formulas["arc_kink"](*at)]
             if place.pole > 0:
-                gap = formulas["pole_gap"](place.pole, place.pole, others, both, product)
-                far = (place.b, place.pole, mp.sqrt(place.near), gap)
-                kinks.append(formulas["arc_kink_tip"](first, second, delta, across, *far))
+                near = (place.b, place.pole, root, others, both, place.pole + product)
+                kinks.append(formulas["arc_kink_tip"](first, delta, across, *near))
             psi = mp.atan2(mp.sqrt(square), mp.sqrt(rest))
 
             def turning(x, a=first, b=second):
-                return (b * b - a * a) * mp.sin(x) ** 2 / mp.sqrt((a * mp.cos(x)) ** 2 + (b * mp.sin(x)) ** 2)
+                return mp.sin(x) ** 2 / mp.sqrt((a * mp.cos(x)) ** 2 + (b * mp.sin(x)) ** 2)
 
-            growth, point = mp.quad(turning, mp.linspace(0, psi, 9)), integrated(motion, place.arc)
+            turned, point = mp.quad(turning, mp.linspace(0, psi, 9)), integrated(motion, place.arc)
             straight = place.arc * mp.cos(motion.tip), place.arc * eta * mp.cos(motion.tip - alpha) ** 2
-            known = (beta, first, root, place.arc, point.y - straight[0])
+            known, lag = (beta, first, second, root, point.y - straight[0]), place.arc - across / delta
             for kink in kinks:
-                square_there = formulas["arc_square"](*known, kink, growth) + straight[1]
+                square_there = formulas["arc_square"](*known, kink, turned, lag) + straight[1]
                 gamma = formulas["gamma"](*motion.loads())
                 energy = formulas["rod_energy"](beta, gamma, place.arc, point.y, square_there)
                 assert abs(energy - (point.energy - beta * point.y)) < CLOSE

@@ -1,7 +1,7 @@
 """Helpers of one expression that a module says in its own words: a call of one takes longer than what it computes.
 
 Kernels choose by ``pick`` and ask by ``any_of`` so that they can stand on arrays too; on Python's own numbers that is a
-conditional expression, and a plain test.
+conditional expression, and a plain test. A direction that is picked number by number is then one or the other.
 """
 
 from __future__ import annotations
@@ -16,12 +16,16 @@ from derive.emit.pieces import Piece
 
 HELPERS = ("any_of", "epsilon", "larger", "pick", "spacing")
 _FILE = "arithmetic"
+_WHOLE = ("pick_rest", "rests")  # picks the numbers of a record one by one
 
 
 def write_out(names: Iterable[str], pieces: Mapping[str, Piece]) -> None:
     """Put what the helpers compute in the place of their calls, in place."""
     known = {name: pieces[name] for name in HELPERS if name in pieces and pieces[name].file == _FILE}
     helpers = {name: piece.node for name, piece in known.items() if _expression(piece.node) is not None}
+    name, file = _WHOLE
+    if name in pieces and pieces[name].file == file and "pick" in helpers:
+        helpers[name] = helpers["pick"]
     for name in names:
         if name not in helpers:
             pieces[name].node = _Writer(helpers).visit(pieces[name].node)

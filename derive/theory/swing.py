@@ -1,11 +1,11 @@
 """The motion of any rod between two turning points: the formulas that solvers evaluate, for every field angle.
 
 They start from the half-angle quartic of ``oblique`` and need no load case. The scripts: ``swing_levels`` (θ″ and the
-potential V), ``swing_rest`` (the directions of equilibrium), ``swing_turns`` (two turning points), ``swing_rates`` (the
-length as a Legendre integral), ``swing_phase`` (its phase, and Gauss's step), ``swing_before`` (the phase a length
-before a known one), ``swing_points`` (℘ at the tip), ``swing_place`` and ``swing_angle`` (the same and θ by the phase),
-``swing_along`` (integrals as claims), ``swing_arcs`` (the position), ``swing_square`` and ``swing_energy``
-(∫η cos²(θ − α), by R_D and by the phase).
+potential V), ``swing_rest`` (the directions of equilibrium), ``swing_shots`` (bounds for every tip), ``swing_turns``
+(two turning points), ``swing_rates`` (the length as a Legendre integral), ``swing_phase`` (its phase, and Gauss's
+step), ``swing_before`` (the phase a length before a known one), ``swing_points`` (℘ at the tip), ``swing_place`` and
+``swing_angle`` (the same and θ by the phase), ``swing_along`` (integrals as claims), ``swing_arcs`` (the position),
+``swing_square`` and ``swing_energy`` (∫η cos²(θ − α), by R_D and by the phase).
 """
 
 from __future__ import annotations
@@ -28,6 +28,7 @@ from .swing_place import write_place
 from .swing_points import Points, write_points
 from .swing_rates import write_rates
 from .swing_rest import write_rest
+from .swing_shots import write_shots
 from .swing_square import write_square
 from .swing_turns import Turns, write_turns
 from .symbols import eta
@@ -56,6 +57,7 @@ def derive(plane: Plane, oblique: Oblique, book: Notebook) -> Swing | None:
     writer = Writer(book)
     levels = write_levels(plane, oblique.half, writer)
     write_rest(levels, writer)
+    write_shots(levels, writer)
     book.say("Any angle of the field. The motion between two turning points")
     turns = write_turns(levels, writer)
     write_rates(writer)

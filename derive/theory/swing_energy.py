@@ -2,7 +2,8 @@
 
 As in ``swing_square`` the derivative of x_σ/(x − ib) leaves ∫X₁ besides y. By the phase that is
 −Δ cot ψ − (b² − a²)∫sin²ψ − a²σ, up to what makes it finite at the tip. So the form holds up to the far turning
-point. Near the tip Δ cot ψ and √X₁ are large and cancel; there a second form takes their difference by x² − x√X₂√X₃.
+point. The length is τ = sin ψ cos ψ/Δ and what it exceeds that by. Near the tip Δ cot ψ and √X₁ are large and cancel, and
+what they leave cancels τ; there a second form takes all of it by τ/x, so that every part is small as σ³.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from .oblique_shape import b
 from .swing_along import COSINE, SINE
 from .swing_arcs import w_imag, w_real
 from .swing_names import Writer, anywhere, field_angle, tip
-from .swing_phase import PHASE, delta, first, rate, second, square
+from .swing_phase import PHASE, across, delta, first, rate, second, square
 from .swing_place import SPREAD, Place, pair_root
 from .swing_points import e_1 as root
 from .swing_points import place as pole
@@ -25,13 +26,12 @@ from .symbols import beta, eta
 from .tip_names import arc
 
 near_root = Symbol("near_root", real=True)  # √X₁
-across = Symbol("across", real=True)  # sin ψ cos ψ
-gap = Symbol("gap", real=True)  # x² − x√X₂√X₃
-size = Symbol("size", real=True)  # |x|
+lift = Symbol("lift", real=True)  # x + √X₂√X₃
 others_sum, others_product = Symbol("others_sum", real=True), Symbol("others_product", real=True)  # ê₂ + ê₃, ê₂ê₃
 y_apart = Symbol("y_apart", real=True)  # ∫(cos θ − cos φ)dσ
 kink = Symbol("kink", real=True)  # the part without integral
-growth = Symbol("growth", real=True)  # (b² − a²)∫sin²ψ dσ
+turned = Symbol("turned", real=True)  # ∫sin²ψ dσ
+lag = Symbol("lag", real=True)  # σ − sin ψ cos ψ/Δ
 ROOTS = Domain({**PHASE.ranges, root: (-oo, oo), b: (0, oo)})
 # ê₂ + ê₃ and ê₂ê₃ by ê₁ and the rates.
 SUM = 2 * root - SPREAD
@@ -55,10 +55,10 @@ def write_energy(place: Place, y: Expr, rod: HalfAngle, writer: Writer) -> None:
     }
     _write_others(writer)
     _write_kink(here, writer)
-    rest = kept(kink, growth, arc)
+    rest = kept(kink, (second - first) * (second + first) * turned, lag)
     writer.add(
         "arc_square",
-        (beta, first, root, arc, y_apart, kink, growth),
+        (beta, first, second, root, y_apart, kink, turned, lag),
         -beta * y_apart + rest,
         "η∫cos²(θ − α)dσ from the tip to the point less what it is along the tip's direction, by the same of y",
         lambda value: Equal(
@@ -100,16 +100,20 @@ def _write_kink(here: dict[Symbol, Expr], writer: Writer) -> None:
 
     def slopes(value: Expr) -> Equal:
         # dS/dσ = 2 sin ψ cos ψ Δ; W grows by e^{iδ} − 1.
-        along = diff(value.subs(here), square) * 2 * here[across] * here[delta]
-        rest = kept(along, (second**2 - first**2) * square, Integer(1))
+        along, behind = (
+            diff(part.subs(here), square) * 2 * here[across] * here[delta] for part in (value, across / delta)
+        )
+        rest = kept(along, (second**2 - first**2) * square, 1 - behind)
         turns = {arc: Integer(1), w_real: COSINE - 1, w_imag: SINE}
         moved = (BY_LETTERS.subs(turns) - (eta + TWICE) / 2).subs(LETTERS).subs(x, here[pole])
         return Equal(moved + rest, 0)
 
     far = writer.add(
         "arc_kink",
-        (square, delta, across, b, pole, near_root, pair_root),
-        4 * delta * across / square - 2 * near_root * (1 + pole * pair_root / below),
+        (first, square, delta, across, b, pole, root, near_root, pair_root),
+        4 * delta * across / square
+        - 2 * near_root * (1 + pole * pair_root / below)
+        + 2 * (first**2 - root) * across / delta,
         "the part of ∫η cos²(θ − α)dσ without integral",
         slopes,
         ROOTS.with_range(eta, 0, oo),
@@ -118,24 +122,18 @@ def _write_kink(here: dict[Symbol, Expr], writer: Writer) -> None:
     )
     start = Limit(far.subs(here), square, Integer(0), Integer(0), "+")
     writer.claim("arc_kink_start", "it is zero at the tip", start, ROOTS, steps=("arc_kink",))
-    writer.add(
-        "pole_gap",
-        (pole, size, others_sum, others_product, pair_root),
-        pole * (pole * others_sum - others_product) / (size + pair_root),
-        "x² − x√X₂√X₃, with size = |x|, x > 0",
-        lambda value: Equal(
-            value.subs({size: pole, others_sum: SUM, others_product: PRODUCT}).subs(here),
-            (pole**2 - pole * pair_root).subs(here),
-        ),
-        ROOTS,
-        steps=("others_sum", "others_product", "pair_by_phase"),
-    )
+    level = first**2 - root
+    by_lift = (b**2 * (lift - others_sum + level) - pole * others_product) + pole * level * (
+        others_sum * pole - others_product
+    ) / lift
     writer.add(
         "arc_kink_tip",
-        (first, second, delta, across, b, pole, near_root, gap),
-        4 * (second - first) * (second + first) * across / delta + 2 * near_root * (b**2 + gap) / below,
-        "the same where x is large, by x² − x√X₂√X₃",
-        lambda value: Equal(value.subs(gap, pole**2 - pole * pair_root).subs(here), far.subs(here)),
+        (first, delta, across, b, pole, root, others_sum, others_product, lift),
+        across * by_lift / (delta * below),
+        "the same towards the tip, with lift = x + √X₂√X₃: it is small as σ³, and so are its terms",
+        lambda value: Equal(
+            value.subs({lift: pole + pair_root, others_sum: SUM, others_product: PRODUCT}).subs(here), far.subs(here)
+        ),
         ROOTS,
-        steps=("arc_kink", "pole_gap"),
+        steps=("arc_kink", "others_sum", "others_product", "pair_by_phase"),
     )

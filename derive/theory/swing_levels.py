@@ -149,18 +149,6 @@ def _write_drops(levels: Levels, writer: Writer) -> None:
         anywhere(middle, half),
         steps=("level_drop",),
     )
-    lost = sin(offset) * turned(levels.moment, rest)
-    writer.add(
-        "rest_drop",
-        (*REST, sine, cosine),
-        2 * sine**2 * (stiffness - eta * sine * (double_cosine * sine + double_sine * cosine)),
-        "V(rest) − V(rest + offset), from a direction without moment, by the sine and cosine of half the offset",
-        lambda value: Equal(
-            _from_rest(value, levels) + lost, turned(potential, rest) - turned(potential, Add(rest, offset))
-        ),
-        anywhere(rest, offset),
-        steps=("potential", "rest_stiffness"),
-    )
     _write_fall(levels, writer)
     writer.add(
         "curvature_squared",

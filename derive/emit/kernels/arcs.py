@@ -34,7 +34,6 @@ from derive.emit.kernels.formulas import (
     phase_rate,
     point_near,
     point_pole,
-    pole_gap,
     rest_stiffness,
     rj_delta_imag,
     rj_delta_real,
@@ -146,9 +145,9 @@ def arc_to(beta, eta, heading, motion, point, square, rest, extent):
     first, second = motion.end / 2, motion.middle / 2
     q = rest_stiffness(beta, eta, heading.cosine, heading.double_cosine)
     m = tip_cubic(beta, eta, heading.sine, heading.double_sine)
-    kink = kink_at(first, second, point, root, q, m, square, rest)
-    growth = second_kind(first, second, square, rest, extent)
-    return Arc(y, z, arc_square(beta, first, root, extent, y, kink, growth))
+    kink = kink_at(motion, first, second, point, root, q, m, square, rest)
+    turned, lag = second_kind(first, second, square, rest, extent)
+    return Arc(y, z, arc_square(beta, first, second, root, y, kink, turned, lag))
 
 
 def shift(eta, heading, motion, point, root, square, rest):
@@ -161,15 +160,16 @@ def shift(eta, heading, motion, point, root, square, rest):
     return w_real(b, third.imag), w_imag(b, third.real)
 
 
-def kink_at(first, second, point, root, q, m, square, rest):
+def kink_at(motion, first, second, point, root, q, m, square, rest):
     """The part of η∫cos²(θ − α) without integral; towards the tip its terms are large and cancel in the first form."""
     b, x, product = point.strength, point.pole, point.product
     delta = larger(phase_rate(first, second, square, rest), second * sqrt(square))
-    across, near_root = sqrt(square * rest), sqrt(point.one)
-    others = others_sum(q, root)
-    gap = pole_gap(x, abs(x), others, others_product(b, m, root, others), product)
-    far = arc_kink(square, delta, across, b, x, near_root, product)
-    return pick(x > 0.25, arc_kink_tip(first, second, delta, across, b, x, near_root, gap), far)
+    across, others = sqrt(square * rest), others_sum(q, root)
+    both = others_product(b, m, root, others)
+    lift = pair_lift(sqrt(motion.near), sqrt(motion.far), motion.uneven, motion.half_cosine, square, rest)
+    far = arc_kink(first, square, delta, across, b, x, root, sqrt(point.one), product)
+    by_lift = lift > 0.15  # a small one is as good as nothing to divide by
+    return pick(by_lift, arc_kink_tip(first, delta, across, b, x, root, others, both, pick(by_lift, lift, 1)), far)
 
 
 def rj_pair(x, product, root_sum, p, lift, less, twist):

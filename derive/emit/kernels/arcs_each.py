@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/arcs.py: do not edit, change that file.
 
-Digest of the inputs: sha256 70a1a8a54f4e096be6fab6568054919b0406cfb393b816b737c3f4dce01704ef
+Digest of the inputs: sha256 9c75039b8f69e221a472ec2a816c5961005f3b4e239aec7f5e58114e7075fd77
 """
 
 from __future__ import annotations
@@ -39,7 +39,6 @@ from derive.emit.kernels.formulas_each import (
     phase_rate_each,
     point_near_each,
     point_pole_each,
-    pole_gap_each,
     rest_stiffness_each,
     rj_delta_imag_each,
     rj_delta_real_each,
@@ -117,9 +116,9 @@ def arc_to_each(beta, eta, heading, motion, point, square, rest, extent):
     first, second = motion.end / 2, motion.middle / 2
     q = rest_stiffness_each(beta, eta, heading.cosine, heading.double_cosine)
     m = tip_cubic_each(beta, eta, heading.sine, heading.double_sine)
-    kink = kink_at_each(first, second, point, root, q, m, square, rest)
-    growth = second_kind_each(first, second, square, rest, extent)
-    return Arc(y, z, arc_square_each(beta, first, root, extent, y, kink, growth))
+    kink = kink_at_each(motion, first, second, point, root, q, m, square, rest)
+    turned, lag = second_kind_each(first, second, square, rest, extent)
+    return Arc(y, z, arc_square_each(beta, first, second, root, y, kink, turned, lag))
 
 
 def shift_each(eta, heading, motion, point, root, square, rest):
@@ -134,15 +133,20 @@ def shift_each(eta, heading, motion, point, root, square, rest):
     return w_real_each(b, third.imag), w_imag_each(b, third.real)
 
 
-def kink_at_each(first, second, point, root, q, m, square, rest):
+def kink_at_each(motion, first, second, point, root, q, m, square, rest):
     """The part of η∫cos²(θ − α) without integral; towards the tip its terms are large and cancel in the first form."""
     b, x, product = point.strength, point.pole, point.product
     delta = larger(phase_rate_each(first, second, square, rest), second * each_sqrt(square))
-    across, near_root = each_sqrt(square * rest), each_sqrt(point.one)
-    others = others_sum_each(q, root)
-    gap = pole_gap_each(x, each_abs(x), others, others_product_each(b, m, root, others), product)
-    far = arc_kink_each(square, delta, across, b, x, near_root, product)
-    return each_pick(x > 0.25, arc_kink_tip_each(first, second, delta, across, b, x, near_root, gap), far)
+    across, others = each_sqrt(square * rest), others_sum_each(q, root)
+    both = others_product_each(b, m, root, others)
+    lift = pair_lift_each(
+        each_sqrt(motion.near), each_sqrt(motion.far), motion.uneven, motion.half_cosine, square, rest
+    )
+    far = arc_kink_each(first, square, delta, across, b, x, root, each_sqrt(point.one), product)
+    by_lift = lift > 0.15  # a small one is as good as nothing to divide by
+    return each_pick(
+        by_lift, arc_kink_tip_each(first, delta, across, b, x, root, others, both, each_pick(by_lift, lift, 1)), far
+    )
 
 
 def rj_pair_each(x, product, root_sum, p, lift, less, twist):

@@ -10,6 +10,8 @@ from math import acos, asin, atan, atan2, ceil, cos, exp, floor, frexp, hypot, i
 __all__ = [
     "acos",
     "any_of",
+    "apart_by_quarters",
+    "arc_excess",
     "arctan_share",
     "asin",
     "atan",
@@ -76,6 +78,11 @@ def plus_quarters(angle, quarters):
     return (angle + quarters * 6.077100506506192e-11) + quarters * 1.5707963267341256
 
 
+def apart_by_quarters(angle, quarters):
+    """Two numbers that add up to angle + quarters·π/2, of which only the sum is rounded at its size."""
+    return quarters * 1.5707963267341256, angle + quarters * 6.077100506506192e-11
+
+
 def pick(condition, yes, no):
     """``yes`` where the condition holds, else ``no``."""
     return yes if condition else no
@@ -99,6 +106,16 @@ def deepest(width):
 def complex_of(real, imaginary):
     """The complex number of a real and an imaginary part."""
     return complex(real, imaginary)
+
+
+def arc_excess(x):
+    """x − sin x, by its series where x is small."""
+    if x > 1:
+        return x - sin(x)
+    square, share = x * x, 1.0
+    for number in (272, 210, 156, 110, 72, 42, 20):
+        share = 1 - square / number * share
+    return x * square / 6 * share
 
 
 def arctan_share(z, end):

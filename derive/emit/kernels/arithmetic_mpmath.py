@@ -11,6 +11,8 @@ from mpmath import sqrt as complex_sqrt
 __all__ = [
     "acos",
     "any_of",
+    "apart_by_quarters",
+    "arc_excess",
     "arctan_share",
     "asin",
     "atan",
@@ -85,6 +87,11 @@ def plus_quarters(angle, quarters):
     return angle + quarters * (pi / 2)
 
 
+def apart_by_quarters(angle, quarters):
+    """Two numbers that add up to angle + quarters·π/2."""
+    return quarters * (pi / 2), angle
+
+
 def pick(condition, yes, no):
     """``yes`` where the condition holds, else ``no``."""
     return yes if condition else no
@@ -103,6 +110,16 @@ def any_of(condition):
 def deepest(width):
     """How far down, in the logarithm of the share of a width, the square of an offset is still a number: no limit."""
     return inf
+
+
+def arc_excess(x):
+    """x − sin x, by its series where x is small."""
+    if x > 1:
+        return x - sin(x)
+    total, power, n = 0, x * x * x / 6, 3
+    while abs(power) > eps * total:
+        total, power, n = total + power, -power * x * x / ((n + 1) * (n + 2)), n + 2
+    return total
 
 
 def arctan_share(z, end):

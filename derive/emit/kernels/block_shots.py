@@ -11,35 +11,39 @@ from typing import Any, NamedTuple
 
 from numpy import (
     abs,
-    arange,
     argsort,
     bincount,
-    clip,
-    concatenate,
     cosh,
     flatnonzero,
     float32,
-    isfinite,
+    floor,
+    full,
+    inf,
     linspace,
     maximum,
     minimum,
-    nonzero,
+    sinh,
+    sqrt,
     unique,
     where,
     zeros,
 )
 
 from derive.emit.kernels.arithmetic import pi
-from derive.emit.kernels.array_arithmetic import each_atan2, each_cos, each_sin
-from derive.emit.kernels.block_records import rounded_to, rows
+from derive.emit.kernels.array_arithmetic import each_atan2, each_cos, each_less_quarters, each_sin
+from derive.emit.kernels.block_records import joined, rounded_to, rows
 from derive.emit.kernels.block_roots import approached
+from derive.emit.kernels.formulas_each import shot_bend_each
 
-SHOT_SLOW = 1.2 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
+SHOT_SLOW = 1.4 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
 SHOTS = 512  # rods at once
-EVEN = 2.0  # step between tips, over the steepest slope
+EVEN = 3.0  # step between tips, over the steepest slope
+FEWEST_SPANS = 16
+ROUGH_HALVINGS = 2  # of spans in single precision
+HALVINGS = 22  # of the rest
+ROUGH_BLUR = 6e-3  # twice what is missed may be wrong by in single precision (docs/solver.md)
+BLUR = 1e-9  # the same in double precision
 STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
-FINE = 9  # tips about an extremum
-LOOKS = 4  # each at so many tips nearer to it
 AIMS = 4  # steps towards a zero
 AGAIN = 4  # as often for those that are still far
 AIM_SPREAD = 1e-6  # distance of two shares from which they tell a slope
@@ -71,12 +75,23 @@ class Shots(NamedTuple):
     slope: Any
 
 
+class Spans(NamedTuple):
+    """Of tips: the rod, the share of its reach at one end, that to the other end, what is missed at both."""
+
+    rod: Any
+    first: Any
+    width: Any
+    before: Any
+    after: Any
+
+
 def load_of(rods):
     """The load of rods."""
     square = rods.length * rods.length
     twice = 2 * rods.field_angle + zeros(rods.case.shape)
     reach = minimum((rods.beta + rods.eta / 2) * square / 2, 2 * pi) * (1 + 1e-3)
-    return Load(rods.beta * square, rods.eta * square, each_cos(twice), each_sin(twice), rods.clamp_angle, reach)
+    clamp = each_less_quarters(rods.clamp_angle, 4 * floor(rods.clamp_angle / (2 * pi) + 0.5))
+    return Load(rods.beta * square, rods.eta * square, each_cos(twice), each_sin(twice), clamp, reach)
 
 
 def miss(load, share):
@@ -121,68 +136,89 @@ def is_shot(rods):
 
 def shots_of(rods, size):
     """All tips of short rods, and the numbers of the rods of which they are not sure."""
-    load = load_of(rods)
-    crossed, turned, unsure = sampled_shots(load, rods.slow)
-    beside, hard = beside_extrema(load, turned)
-    which, left, right, before, after = (concatenate(pair) for pair in zip(crossed, beside, strict=True))
+    load, sag = load_of(rods), sag_of(rods)
+    spans, unsure = told_apart(load, sag, *sampled_spans(load, sag, rods.slow))
+    which, left, right = spans.rod, spans.first, spans.first + spans.width
     some = rows(load, which)
-    ends = left, right, before, after
+    ends = left, right, spans.before, spans.after
     share, slope = approached(lambda trial, row: miss(rows(some, row), trial), *ends, AIMS, AIM_SPREAD, AGAIN)
     key = 2 * rods.case[which] + (share > 0)
     order = argsort(key, kind="stable")
     number = bincount(key, minlength=2 * size)
     offset, slope = (share * some.reach)[order], (slope / some.reach)[order]
-    return Shots(number.cumsum() - number, number, offset, slope), unique(concatenate([unsure, hard]))
+    return Shots(number.cumsum() - number, number, offset, slope), unique(unsure)
 
 
-def sampled_shots(load, slow):
-    """Brackets, extrema that may reach beyond zero, and the rods without values.
+def sag_of(rods):
+    """By how much |∂²θ(0)/∂θ(ℓ)²| may bend what is missed over a span of 1, for tips measured in radians."""
+    half = sinh(rods.slow / 2)
+    return shot_bend_each(rods.beta, rods.eta, 2 * half * half) / 2
 
-    Brackets have the rod, shares of its reach on either side and what is missed there; extrema have the rod, the
-    shares beside, what is missed there, and on which side of zero they are.
-    """
-    rough, none = rounded_to(load, float32), zeros(0, dtype=int)
-    brackets, turned, lost = [[none, *[zeros(0)] * 4]], [[none, *[zeros(0)] * 4, none]], [none]
+
+def no_spans():
+    """None."""
+    none = zeros(0)
+    return Spans(zeros(0, dtype=int), none, none, none, none)
+
+
+def sampled_spans(load, sag, slow):
+    """The load in single precision, and the spans between samples over which what is missed changes its sign, or may
+    have zeros without."""
+    rough, parts = rounded_to(load, float32), [no_spans()]
+    steps = 2 / EVEN * load.reach * cosh(slow)
+    order = argsort(steps)
     for start in range(0, slow.size, SHOTS):
-        here = slice(start, start + SHOTS)
-        steps = int(2 * (load.reach[here] * cosh(slow[here])).max() / EVEN)
-        shares = linspace(-1, 1, 16 + steps)
+        here = order[start : start + SHOTS]
+        number = FEWEST_SPANS + int(steps[here[-1]])
+        shares = linspace(-1, 1, number + 1)
         values = miss(rows(rough, here), shares.astype(float32)[:, None])
-        lost.append(flatnonzero(~isfinite(values.sum(axis=0))) + start)
-        row, which = nonzero((values[1:] > 0) != (values[:-1] > 0))
-        brackets.append([which + start, shares[row], shares[row + 1], values[row, which], values[row + 1, which]])
-        turned.append(turned_at(shares, values, start))
-    parts = ([concatenate(part) for part in zip(*found, strict=True)] for found in (brackets, turned))
-    return *parts, concatenate(lost)
+        above, size = values > 0, abs(values)
+        size[size <= ROUGH_BLUR] = -inf
+        step = 2 / number * load.reach[here]
+        needed = (sag[here] * step * step + 2 * ROUGH_BLUR).astype(float32)
+        # What is not a number is not sure either.
+        held = (above[1:] != above[:-1]) | ~(size[1:] + size[:-1] > needed)
+        row, which = divmod(flatnonzero(held), held.shape[1])
+        before, after = (values[row + k, which].astype(float) for k in (0, 1))
+        parts.append(Spans(here[which], shares[row], full(row.size, 2 / number), before, after))
+    return rough, joined(parts)
 
 
-def turned_at(shares, values, start):
-    """The extrema among samples that may reach beyond zero between them."""
-    grows = values[1:] > values[:-1]
-    row, which = nonzero(grows[1:] != grows[:-1])
-    before, middle, after = (values[row + k, which] for k in range(3))
-    near = abs(middle) < maximum(abs(before - middle), abs(after - middle))
-    near &= (abs(middle) <= abs(before)) & (abs(middle) <= abs(after))
-    near &= ((middle > 0) == (before > 0)) & ((middle > 0) == (after > 0))
-    row, which = row[near], which[near]
-    return [which + start, shares[row], shares[row + 2], before[near], after[near], where(middle[near] > 0, 1, -1)]
+def told_apart(load, sag, rough, spans):
+    """The spans with one tip each, and the rods of which a span as small as any leaves a doubt."""
+    first, spans = parted(rough, sag, spans, ROUGH_BLUR, ROUGH_HALVINGS)
+    some = rows(load, spans.rod)
+    ends = miss(some, spans.first), miss(some, spans.first + spans.width)
+    second, spans = parted(load, sag, spans._replace(before=ends[0], after=ends[1]), BLUR, HALVINGS)
+    return joined([first, second]), spans.rod
 
 
-def beside_extrema(load, turned):
-    """Brackets beside extrema that reach beyond zero, and the rods of which that is not sure."""
-    which, first, last, before, after, side = turned
-    some, left, right = rows(load, which), first, last
-    column, single = arange(which.size), True
-    for _ in range(LOOKS):
-        finer = left + (right - left) * linspace(0, 1, FINE)[:, None]
-        value = side * miss(some, finer)
-        single = single & (((value[1:] < 0) != (value[:-1] < 0)).sum(axis=0) <= 2)
-        best = clip(value.argmin(axis=0), 1, FINE - 2)
-        left, right = finer[best - 1, column], finer[best + 1, column]
-    middle, least = finer[best, column], value[best, column]
-    margin = 1e-9 * some.reach
-    beyond = single & (least < -margin)
-    hard = ~beyond & (2 * least <= maximum(value[best - 1, column], value[best + 1, column]) + margin)
-    one = which, first, middle, before, side * least
-    other = which, middle, last, side * least, after
-    return [concatenate(pair)[concatenate([beyond, beyond])] for pair in zip(one, other, strict=True)], which[hard]
+def parted(load, sag, spans, blur, times):
+    """The spans that hold one tip, of these and of those that come of the others by halving, and what is left of them.
+
+    blur: by how much what is missed may be wrong. Over a span it departs from its chord by no more than sag·width²/4.
+    Where it has one sign at both ends, and the sum of their roots is more than the width times √sag, it has no zero
+    between; where the sum of what is missed is more than sag·width², it has one if the signs differ, and else none.
+    """
+    found = []
+    for turn in range(times + 1):
+        before, after = (maximum(abs(end) - blur, 0) for end in (spans.before, spans.after))
+        crossed = (spans.before > 0) != (spans.after > 0)
+        width = spans.width * load.reach[spans.rod]
+        sum_, both = before + after, before * after
+        sure = (sum_ + where(crossed, 0, 2 * sqrt(both)) > sag[spans.rod] * width * width) & (both > 0)
+        found.append(rows(spans, sure & crossed))
+        spans = rows(spans, ~sure)
+        if turn == times or not spans.rod.size:
+            break
+        spans = halved(load, spans)
+    return joined(found), spans
+
+
+def halved(load, spans):
+    """The halves of spans."""
+    width, some = spans.width / 2, rows(load, spans.rod)
+    middle = spans.first + width
+    value = miss(some, middle.astype(some.beta.dtype)).astype(float)
+    first = spans._replace(width=width, after=value)
+    return joined([first, spans._replace(first=middle, width=width, before=value)])

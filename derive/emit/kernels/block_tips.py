@@ -38,7 +38,7 @@ class Columns(NamedTuple):
 
 
 class Tips(NamedTuple):
-    """Tips that have been found: their rods, the rank of the range and the whole turns of the clamp, and the motions."""
+    """Tips that have been found: their rods, ranks of ranges, whole turns of the clamp, and motions."""
 
     rods: Any
     rank: Any

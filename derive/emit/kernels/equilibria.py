@@ -28,10 +28,12 @@ from derive.emit.kernels.arithmetic import (
     sqrt,
 )
 from derive.emit.kernels.ground import clamp_in
+from derive.emit.kernels.hits import hits
 from derive.emit.kernels.landscape import landscape, mirror_landscape
 from derive.emit.kernels.pieces import pieces
 from derive.emit.kernels.search import Stay, crossings
-from derive.emit.kernels.swing import phase_of
+from derive.emit.kernels.shots import mirror_shots, tip_shots
+from derive.emit.kernels.swing import phase_of, speed_at
 
 
 class Rod(NamedTuple):
@@ -105,8 +107,10 @@ def all_equilibria(beta, eta, length, clamp_angle, field_angle, max_index):
     mirrored = Rod(rod.beta, rod.eta, rod.length, -clamp_angle, reflected(field), -1, scale)
     scene, other = landscapes(rod.beta, rod.eta, rod.field_angle)
     clamp = clamp_in(scene.rests, rod.clamp_angle)
-    above = below(mirrored, other, clamp_in(other.rests, mirrored.clamp_angle), most)
-    return in_order([*below(rod, scene, clamp, most), *straight(rod, scene, clamp, most), *above[::-1]])
+    shots = tip_shots(rod.beta, rod.eta, rod.field_angle, rod.length, rod.clamp_angle)
+    mirrored_shots = None if shots is None else mirror_shots(shots)
+    above = below(mirrored, other, clamp_in(other.rests, mirrored.clamp_angle), most, mirrored_shots)
+    return in_order([*below(rod, scene, clamp, most, shots), *straight(rod, scene, clamp, most), *above[::-1]])
 
 
 def landscapes(beta, eta, field_angle):
@@ -146,19 +150,26 @@ def reflected(field_angle):
     return -field_angle
 
 
-def below(rod, scene, clamp, most):
-    """The equilibria with tips below the clamp angle, from the lowest up; tips may be nearer than rounding."""
-    beta, eta, field_angle = rod.beta, rod.eta, rod.field_angle
-    found = []
-    for piece in pieces(beta, eta, field_angle, scene, clamp):
-        if not piece.width > 0:  # the clamp angle is at the level of the ridge, to rounding
-            continue
-        here = crossings(beta, eta, field_angle, rod.length, piece, most)
-        for crossing in sorted(here, key=lambda item: item.sample.place):
-            index = index_of(crossing)
-            if index <= most:
-                found.append(bent_rod(rod, clamp.turns, piece, crossing, index))
-    return found
+def below(rod, scene, clamp, most, shots):
+    """The equilibria with tips below the clamp angle, from the lowest up; tips may be nearer than rounding.
+
+    shots: all tips, roughly, or None.
+    """
+    tips = None if shots is None else [shot for shot in shots if shot.offset < 0]
+    if tips == []:
+        return []
+    beta, eta, field_angle, length = rod.beta, rod.eta, rod.field_angle, rod.length
+    found = None
+    if tips is not None:
+        found = hits(beta, eta, field_angle, length, pieces(beta, eta, field_angle, scene, clamp), tips)
+    if found is None:
+        found = []
+        for piece in pieces(beta, eta, field_angle, scene, clamp):
+            if piece.width > 0:  # else the clamp angle is at the level of the ridge, to rounding
+                here = crossings(beta, eta, field_angle, length, piece, most)
+                found += [(piece, crossing) for crossing in sorted(here, key=lambda item: item.sample.place)]
+    indexed = [(piece, crossing, index_of(crossing)) for piece, crossing in found]
+    return [bent_rod(rod, clamp.turns, *item) for item in indexed if item[2] <= most]
 
 
 def straight(rod, scene, clamp, most):
@@ -186,8 +197,7 @@ def bent_rod(rod, turns, piece, crossing, index):
         part = with_stays(rod, heading, part, basin, stay.middle - stay.arrival, stay.far)
     through = both if sign > 0 else both - 1
     arc = Arc(*(float(through * a + b) for a, b in zip(whole, part, strict=True)))
-    speed = phase.delta * phase.whole / (motion.end * motion.sine)
-    speed = speed * sqrt(2 * motion.done_sine * motion.left_sine)
+    speed = speed_at(motion, phase)
     gamma = 2 * beta * heading.cosine + eta * (1 + heading.double_cosine) / 2
     energy = -gamma * length / 2 - 2 * beta * arc.y - arc.square
     scale = rod.scale

@@ -7,21 +7,22 @@ clamp, so that it is not rounded: where a long rod bends, the last digit of one 
 
 from __future__ import annotations
 
-from math import floor, frexp, ldexp, log2
+from math import floor, frexp, ldexp, log2, pi
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from derive.emit.kernels.shapes import angle_and_position
+from derive.emit.kernels.shapes import along_bent
 
 SHORT = 128  # bins up to which none is looked for that is straight
 AT_A_TIME = 16  # bins whose cells are computed together, so that they stay in the cache
 COARSE = 8  # bins up to which a range is not divided to find straight ones in it
+LARGE = 4.0  # an angle beyond which a rounding more would show
 LONGEST = 48  # the longest series; where more terms are wanted, bins are halved
 
 
 class State(NamedTuple):
-    """What the series of a bin starts from: angle, its slope by the length, and y + iz."""
+    """What the series of a bin starts from: angle less ``middle_of`` the rod, its slope by the length, and y + iz."""
 
     angle: Any
     slope: Any
@@ -31,7 +32,8 @@ class State(NamedTuple):
 class Bins(NamedTuple):
     """Series of equal bins of which the first begins at the clamp.
 
-    angle, place: coefficients, by power and bin. straight: the bins in which θ is constant to rounding.
+    angle, place: coefficients, by power and bin, of the angle less ``middle_of`` the rod and of y + iz. straight: the
+    bins in which θ is constant to rounding.
     """
 
     width: float
@@ -60,43 +62,55 @@ def period_of(equilibrium):
     return 2 * length, 2 * ldexp(1.0, -rod.scale) * complex(y, rod.side * z)
 
 
+def middle_of(equilibrium):
+    """A whole number about which the angles lie, or 0 where none is large.
+
+    Large ones are measured from there, and it is added last: so their sums are rounded only once at their size.
+    """
+    rod, swing = equilibrium.rod, equilibrium.swing
+    motion, turned = swing.stay.motion, 2 * pi * swing.turns
+    low = motion.tip + turned
+    high = low + 2 * motion.half_width
+    return rod.side * float(floor((low + high) / 2 + 0.5)) if max(abs(low), abs(high)) > LARGE else 0.0
+
+
 def bins_of(equilibrium, position):
     """The bins of a rod: over its length, or over a period where the rod is longer than that.
 
     Their places are worth nothing without ``position``.
     """
     reach = period_of(equilibrium)[0] or equilibrium.rod.length
-    width, series = min(0.5, ldexp(1.0, frexp(reach)[1])), None
+    width, series, middle = min(0.5, ldexp(1.0, frexp(reach)[1])), None, middle_of(equilibrium)
     while series is None:
         count = int(reach / width) + 1
         state, straight = states(equilibrium, width, count, position)
-        series = complete_series(equilibrium.rod, state, width / 2)
+        series = complete_series(equilibrium.rod, middle, state, width / 2)
         found = width
         width /= 2
     return Bins(found, straight, *series)
 
 
-def complete_series(rod, state, half):
+def complete_series(rod, middle, state, half):
     """Series of which the last two terms are negligible up to half a bin from its middle; None if they are too long.
 
     What is left out decreases faster than by halves, so it is no more than these.
     """
     for degree in range(2 - int(56 / log2(half)), LONGEST + 1, 6):
-        angle, place = series(rod, state, degree)
+        angle, place = series(rod, middle, state, degree)
         last = abs(np.concatenate((degree * angle[-2:], ldexp(1.0, rod.scale) * place[-2:]), axis=1)).max(axis=1)
         if max(last[0] * half ** (degree - 1), last[1] * half**degree / min(1.0, rod.length)) <= negligible():
             return angle, place
     return None
 
 
-def series(rod, state, degree):
+def series(rod, middle, state, degree):
     """The coefficients of θ and of y + iz about states: θ″ = β sin θ + (η/2) sin 2(θ − α), and y′ + iz′ = e^{iθ}."""
     shape = (degree + 1, len(state.angle))
     angle, turned = np.zeros(shape), np.zeros(shape)
     once, twice, place = (np.zeros(shape, dtype=complex) for _ in range(3))
     angle[0], angle[1], turned[1] = state.angle, state.slope, state.slope
-    once[0] = np.exp(1j * state.angle)
-    twice[0] = np.exp(2j * (state.angle - rod.side * rod.field_angle))
+    once[0] = np.exp(1j * state.angle) * np.exp(1j * middle)
+    twice[0] = np.exp(2j * state.angle) * np.exp(2j * (middle - rod.side * rod.field_angle))
     place[0] = state.place
     for n in range(degree):
         if n:
@@ -138,7 +152,8 @@ def state_of(equilibrium, length, position):
     rod = equilibrium.rod
     beyond = length > rod.length
     within = 2 * rod.length - length if beyond else length
-    angle, slope, y, z = angle_and_position(equilibrium, ldexp(within, -rod.scale), position)
+    anchor, turned, slope, y, z = along_bent(equilibrium, ldexp(within, -rod.scale), position)
+    angle = (anchor - middle_of(equilibrium)) + turned
     slope, place = ldexp(slope, -rod.scale), complex(y, z)
     if beyond:
         slope, place = -slope, 2 * complex(equilibrium.y, equilibrium.z) - place

@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 cb9b042a4b9b84488f279287f35eb5bf80fd5c4348d31f9dad809435dff592e9
+Digest of the inputs: sha256 cc1c8139f5323a6bd4944b382dc5eda5abc73cdccab4a3e082d32d1a4376762e
 """
 
 from __future__ import annotations
@@ -32,14 +32,6 @@ def rest_moment(eta, stiffness, double_cosine, double_sine, sine, cosine):
             - 0.5 * eta * double_sine * sine * (3 - 4 * sine * sine)
         )
     )
-
-
-def rest_drop(eta, stiffness, double_cosine, double_sine, sine, cosine):
-    """V(rest) − V(rest + offset), from a direction without moment, by the sine and cosine of half the offset.
-
-    Proved as swing.rest_drop.
-    """
-    return 2 * (stiffness - eta * sine * (double_cosine * sine + double_sine * cosine)) * sine * sine
 
 
 def rest_fall(eta, stiffness, double_cosine, double_sine, middle_sine, middle_cosine, half_sine, half_cosine):
@@ -135,6 +127,14 @@ def pair_stiffness(eta, lean_cosine, cusp_cosine, beside_sine, along, across, fo
         * (along * along + along * across + across * across)
         / (cusp_cosine * cusp_cosine * cusp_cosine * force_sine)
     )
+
+
+def shot_bend(beta, eta, growth):
+    """a bound of |∂²θ(0)/∂θ(ℓ)²| for every tip, by cosh(ℓ√(β + η)) − 1: it solves G″ = (β + η)G + (β + 2η)cosh².
+
+    Proved as swing.shot_bend.
+    """
+    return growth * (beta + 2 * eta) * (3 + growth) / (3 * beta + 3 * eta)
 
 
 def phase_sum(root_near, root_far, done_sine, left_sine):
@@ -239,22 +239,6 @@ def far_cosine(second, square, delta):
     return second * sqrt(square) / delta
 
 
-def second_kind_step(total, gap, below, square, rest, arc):
-    """2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step; below = a + Δ.
-
-    Equation DLMF 19.8.19; proved as swing.second_kind_step.
-    """
-    return total * gap * (0.5 * arc - sqrt(square * rest) / below)
-
-
-def gauss_gap(gap, total):
-    """a′ − b′ after Gauss's step, by gap = a − b and total = a′ + b′.
-
-    Equation DLMF 19.8(i); proved as swing.gauss_gap.
-    """
-    return 0.25 * gap * gap / total
-
-
 def back_below(first, second, square):
     """2a(a + b)/(a + Δ) by sin²ψ′, for a > b: Gauss's step undone.
 
@@ -293,6 +277,30 @@ def back_move(first, gap, square, rest, below):
     Equation DLMF 19.8(iii); proved as swing.back_move.
     """
     return gap * square * rest * (below + 2 * first) / (below * below)
+
+
+def phase_bend(share, first_share, square, rest, across, delta):
+    """kS′τ′/(1 + kS′) after Gauss's step, by k = (a − b)/(a + b) and 1 + k, τ = sin ψ cos ψ/Δ: 2 sin ψ cos ψ/(a + Δ) is τ′ less 1 + k of them.
+
+    Equation DLMF 19.8(iii); proved as swing.phase_bend.
+    """
+    return share * square * across / ((rest + first_share * square) * delta)
+
+
+def lag_step(bend, share, second_share, square, rest):
+    """τ′ − τ for τ = sin ψ cos ψ/Δ, τ′ the same after Gauss's step, by ``phase_bend``, k and 1 − k.
+
+    Equation DLMF 19.8(iii); proved as swing.lag_step.
+    """
+    return bend * share * rest / (rest + second_share * square)
+
+
+def gauss_gap(gap, total):
+    """a′ − b′ after Gauss's step, by gap = a − b and total = a′ + b′.
+
+    Equation DLMF 19.8(i); proved as swing.gauss_gap.
+    """
+    return 0.25 * gap * gap / total
 
 
 def phase_ratio(share, square, rest):
@@ -559,36 +567,42 @@ def others_product(b, m, root, others_sum):
     return 0.25 * b * m - root * others_sum
 
 
-def arc_kink(square, delta, across, b, pole, near_root, pair_root):
+def arc_kink(first, square, delta, across, b, pole, root, near_root, pair_root):
     """The part of ∫η cos²(θ − α)dσ without integral.
 
     Equation DLMF 19.29(ii); proved as swing.arc_kink.
     """
-    return 4 * delta * across / square - 2 * near_root * (1 + pole * pair_root / (b * b + pole * pole))
+    return (
+        across * (2 * first * first - 2 * root) / delta
+        + 4 * delta * across / square
+        - 2 * near_root * (1 + pole * pair_root / (b * b + pole * pole))
+    )
 
 
-def pole_gap(pole, size, others_sum, others_product, pair_root):
-    """x² − x√X₂√X₃, with size = |x|, x > 0.
-
-    Proved as swing.pole_gap.
-    """
-    return pole * (pole * others_sum - others_product) / (size + pair_root)
-
-
-def arc_kink_tip(first, second, delta, across, b, pole, near_root, gap):
-    """The same where x is large, by x² − x√X₂√X₃.
+def arc_kink_tip(first, delta, across, b, pole, root, others_sum, others_product, lift):
+    """The same towards the tip, with lift = x + √X₂√X₃: it is small as σ³, and so are its terms.
 
     Proved as swing.arc_kink_tip.
     """
     return (
-        across * (4 * second - 4 * first) * (first + second) / delta
-        + 2 * near_root * (gap + b * b) / (b * b + pole * pole)
+        across
+        * (
+            (lift + first * first - root - others_sum) * b * b
+            + pole * (first * first - root) * (pole * others_sum - others_product) / lift
+            - pole * others_product
+        )
+        / (delta * (b * b + pole * pole))
     )
 
 
-def arc_square(beta, first, root, arc, y_apart, kink, growth):
+def arc_square(beta, first, second, root, y_apart, kink, turned, lag):
     """η∫cos²(θ − α)dσ from the tip to the point less what it is along the tip's direction, by the same of y.
 
     Equation DLMF 19.29(ii); proved as swing.arc_square.
     """
-    return -beta * y_apart - 2 * arc * (2 * first * first - 2 * root) - 2 * kink - 8 * growth
+    return (
+        -beta * y_apart
+        - 8 * turned * (second - first) * (first + second)
+        - 2 * lag * (2 * first * first - 2 * root)
+        - 2 * kink
+    )

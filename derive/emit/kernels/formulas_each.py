@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 963ce236d8437760a0945a49bdf5babf7d28de6d08804c117dd93faf983c9e63
+Digest of the inputs: sha256 5abccc2e43d556e7c1ce1c2364bf1604dfc9f56f79b1206f85544a5852697eb9
 """
 
 from __future__ import annotations
@@ -32,14 +32,6 @@ def rest_moment_each(eta, stiffness, double_cosine, double_sine, sine, cosine):
             - 0.5 * eta * double_sine * sine * (3 - 4 * sine * sine)
         )
     )
-
-
-def rest_drop_each(eta, stiffness, double_cosine, double_sine, sine, cosine):
-    """V(rest) − V(rest + offset), from a direction without moment, by the sine and cosine of half the offset.
-
-    Proved as swing.rest_drop.
-    """
-    return 2 * (stiffness - eta * sine * (double_cosine * sine + double_sine * cosine)) * sine * sine
 
 
 def rest_fall_each(eta, stiffness, double_cosine, double_sine, middle_sine, middle_cosine, half_sine, half_cosine):
@@ -137,6 +129,14 @@ def pair_stiffness_each(eta, lean_cosine, cusp_cosine, beside_sine, along, acros
         * (along * along + along * across + across * across)
         / (cusp_cosine * cusp_cosine * cusp_cosine * force_sine)
     )
+
+
+def shot_bend_each(beta, eta, growth):
+    """a bound of |∂²θ(0)/∂θ(ℓ)²| for every tip, by cosh(ℓ√(β + η)) − 1: it solves G″ = (β + η)G + (β + 2η)cosh².
+
+    Proved as swing.shot_bend.
+    """
+    return growth * (beta + 2 * eta) * (3 + growth) / (3 * beta + 3 * eta)
 
 
 def phase_sum_each(root_near, root_far, done_sine, left_sine):
@@ -241,22 +241,6 @@ def far_cosine_each(second, square, delta):
     return second * each_sqrt(square) / delta
 
 
-def second_kind_step_each(total, gap, below, square, rest, arc):
-    """2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step; below = a + Δ.
-
-    Equation DLMF 19.8.19; proved as swing.second_kind_step.
-    """
-    return total * gap * (0.5 * arc - each_sqrt(square * rest) / below)
-
-
-def gauss_gap_each(gap, total):
-    """a′ − b′ after Gauss's step, by gap = a − b and total = a′ + b′.
-
-    Equation DLMF 19.8(i); proved as swing.gauss_gap.
-    """
-    return 0.25 * gap * gap / total
-
-
 def back_below_each(first, second, square):
     """2a(a + b)/(a + Δ) by sin²ψ′, for a > b: Gauss's step undone.
 
@@ -295,6 +279,30 @@ def back_move_each(first, gap, square, rest, below):
     Equation DLMF 19.8(iii); proved as swing.back_move.
     """
     return gap * square * rest * (below + 2 * first) / (below * below)
+
+
+def phase_bend_each(share, first_share, square, rest, across, delta):
+    """kS′τ′/(1 + kS′) after Gauss's step, by k = (a − b)/(a + b) and 1 + k, τ = sin ψ cos ψ/Δ: 2 sin ψ cos ψ/(a + Δ) is τ′ less 1 + k of them.
+
+    Equation DLMF 19.8(iii); proved as swing.phase_bend.
+    """
+    return share * square * across / ((rest + first_share * square) * delta)
+
+
+def lag_step_each(bend, share, second_share, square, rest):
+    """τ′ − τ for τ = sin ψ cos ψ/Δ, τ′ the same after Gauss's step, by ``phase_bend``, k and 1 − k.
+
+    Equation DLMF 19.8(iii); proved as swing.lag_step.
+    """
+    return bend * share * rest / (rest + second_share * square)
+
+
+def gauss_gap_each(gap, total):
+    """a′ − b′ after Gauss's step, by gap = a − b and total = a′ + b′.
+
+    Equation DLMF 19.8(i); proved as swing.gauss_gap.
+    """
+    return 0.25 * gap * gap / total
 
 
 def strength_each(moment_there):
@@ -425,36 +433,42 @@ def others_product_each(b, m, root, others_sum):
     return 0.25 * b * m - root * others_sum
 
 
-def arc_kink_each(square, delta, across, b, pole, near_root, pair_root):
+def arc_kink_each(first, square, delta, across, b, pole, root, near_root, pair_root):
     """The part of ∫η cos²(θ − α)dσ without integral.
 
     Equation DLMF 19.29(ii); proved as swing.arc_kink.
     """
-    return 4 * delta * across / square - 2 * near_root * (1 + pole * pair_root / (b * b + pole * pole))
+    return (
+        across * (2 * first * first - 2 * root) / delta
+        + 4 * delta * across / square
+        - 2 * near_root * (1 + pole * pair_root / (b * b + pole * pole))
+    )
 
 
-def pole_gap_each(pole, size, others_sum, others_product, pair_root):
-    """x² − x√X₂√X₃, with size = |x|, x > 0.
-
-    Proved as swing.pole_gap.
-    """
-    return pole * (pole * others_sum - others_product) / (size + pair_root)
-
-
-def arc_kink_tip_each(first, second, delta, across, b, pole, near_root, gap):
-    """The same where x is large, by x² − x√X₂√X₃.
+def arc_kink_tip_each(first, delta, across, b, pole, root, others_sum, others_product, lift):
+    """The same towards the tip, with lift = x + √X₂√X₃: it is small as σ³, and so are its terms.
 
     Proved as swing.arc_kink_tip.
     """
     return (
-        across * (4 * second - 4 * first) * (first + second) / delta
-        + 2 * near_root * (gap + b * b) / (b * b + pole * pole)
+        across
+        * (
+            (lift + first * first - root - others_sum) * b * b
+            + pole * (first * first - root) * (pole * others_sum - others_product) / lift
+            - pole * others_product
+        )
+        / (delta * (b * b + pole * pole))
     )
 
 
-def arc_square_each(beta, first, root, arc, y_apart, kink, growth):
+def arc_square_each(beta, first, second, root, y_apart, kink, turned, lag):
     """η∫cos²(θ − α)dσ from the tip to the point less what it is along the tip's direction, by the same of y.
 
     Equation DLMF 19.29(ii); proved as swing.arc_square.
     """
-    return -beta * y_apart - 2 * arc * (2 * first * first - 2 * root) - 2 * kink - 8 * growth
+    return (
+        -beta * y_apart
+        - 8 * turned * (second - first) * (first + second)
+        - 2 * lag * (2 * first * first - 2 * root)
+        - 2 * kink
+    )

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import any_of, atan2, cos, epsilon, less_quarters, pi, pick, sin, sqrt
+from derive.emit.kernels.arithmetic import any_of, atan2, cos, epsilon, larger, less_quarters, pi, pick, sin, sqrt
 from derive.emit.kernels.oblique_rests import astroid_cusp, beside_field, beside_force, couple_beyond, pair_rests
 from derive.emit.kernels.rests import Rest, along, mirror_rest, pick_rest, rest_at, rest_of, rest_turned_back
 
@@ -151,10 +151,10 @@ def with_shoulder(beta, eta, field_angle, scene):
     steep = field_angle > pi / 4
     lean = pick(steep, -less_quarters(field_angle, 1), field_angle)
     cusp = astroid_cusp(lean)
-    place, couple = lean + cusp, couple_beyond(beta, eta, lean, cusp)
+    # Of the couple rounding may leave nothing, or less.
+    place, couple = lean + cusp, -larger(-couple_beyond(beta, eta, lean, cusp), epsilon() * (beta + eta))
     stiffness = couple * cos(place) / sin(place)
     shoulder = Rest(2, place, 0, stiffness, cos(2 * cusp), sin(2 * cusp))
     if any_of(steep):
-        back = rest_turned_back(shoulder)
-        shoulder = pick_rest(steep, back._replace(extra=back.extra + pi), shoulder)
-    return scene._replace(shoulder=rest_of(2, shoulder), moment=couple)
+        shoulder = pick_rest(steep, rest_turned_back(shoulder)._replace(quarters=4), shoulder)
+    return scene._replace(shoulder=rest_of(shoulder.quarters, shoulder), moment=couple)

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/landscape.py: do not edit, change that file.
 
-Digest of the inputs: sha256 da45817a017bf06138561200330a446cab484c07b9ffdbd4fbbea6a4652d28c2
+Digest of the inputs: sha256 1e52f824f24fa2ed7775b82ab3c80004c4dc97fd1699680be2c89ebf6fda924c
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from derive.emit.kernels.array_arithmetic import (
     each_pick,
     each_sin,
     each_sqrt,
+    larger,
 )
 from derive.emit.kernels.landscape import Landscape
 from derive.emit.kernels.oblique_rests_each import (
@@ -162,10 +163,10 @@ def with_shoulder_each(beta, eta, field_angle, scene):
     steep = field_angle > pi / 4
     lean = each_pick(steep, -each_less_quarters(field_angle, 1), field_angle)
     cusp = astroid_cusp_each(lean)
-    place, couple = lean + cusp, couple_beyond_each(beta, eta, lean, cusp)
+    # Of the couple rounding may leave nothing, or less.
+    place, couple = lean + cusp, -larger(-couple_beyond_each(beta, eta, lean, cusp), epsilon() * (beta + eta))
     stiffness = couple * each_cos(place) / each_sin(place)
     shoulder = Rest(2, place, 0, stiffness, each_cos(2 * cusp), each_sin(2 * cusp))
     if any_of(steep):
-        back = rest_turned_back_each(shoulder)
-        shoulder = pick_rest_each(steep, back._replace(extra=back.extra + pi), shoulder)
-    return scene._replace(shoulder=rest_of_each(2, shoulder), moment=couple)
+        shoulder = pick_rest_each(steep, rest_turned_back_each(shoulder)._replace(quarters=4), shoulder)
+    return scene._replace(shoulder=rest_of_each(shoulder.quarters, shoulder), moment=couple)

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from derive.emit.kernels.expansion import divided, period_of, quarter
+from derive.emit.kernels.expansion import divided, middle_of, period_of, quarter
 from derive.emit.kernels.shortening import cut
 
 LOOKUP_BLOCK = 8192  # points at a time, so that what is gathered for them stays in the cache
@@ -21,6 +21,7 @@ class Table(NamedTuple):
 
     period: of θ in the length, or 0 where the cells cover the rod. advance: y + iz over a period.
     per_bin: first row and number of cells of each bin, where those differ; else None. slope: θ′ per change in a cell.
+    last: what is added to the sums for θ.
     """
 
     cells: float
@@ -29,6 +30,7 @@ class Table(NamedTuple):
     period: float
     advance: complex
     slope: float
+    last: float
 
 
 def by_lookup(equilibrium, bins, s, position):
@@ -67,6 +69,8 @@ def fill(rod, table, s, results, spare):
     theta, curvature = results[:2]
     sum_gathered(table.rows[0], ANGLE_DEGREE, row, within, gathered, theta, curvature)
     curvature *= table.slope
+    if table.last:
+        theta += table.last
     for part, rows, advance in zip(results[2:], table.rows[1:], (table.advance.real, table.advance.imag), strict=False):
         sum_gathered(rows, PLACE_DEGREE, row, within, gathered, part, None)
         if table.period:
@@ -136,6 +140,7 @@ def table_of(equilibrium, bins, position):
         period,
         advance,
         ldexp(cells / bins.width, rod.scale),
+        middle_of(equilibrium),
     )
 
 

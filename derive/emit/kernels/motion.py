@@ -23,6 +23,7 @@ from derive.emit.kernels.levels import fall, onward, reach, slope, turn_to
 from derive.emit.kernels.pieces import Piece
 from derive.emit.kernels.potential import fall_from_rest, moment_from_rest
 from derive.emit.kernels.rests import pick_rest
+from derive.emit.kernels.shoulders import beyond_shoulder, clamp_beyond, shoulder_moment
 
 
 class Motion(NamedTuple):
@@ -67,8 +68,9 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     # Near the high end the clamp is told from there, else as the tip is: the clamp's own distances are exact.
     done, apart = piece.clamp_gap + drop, pick(upper, piece.past_hill - from_hill, piece.past_well + depth)
     done = pick(done < 0.5 * pick(upper, from_hill, abs(piece.past_well)), done, apart)
+    depth = pick(upper, turn_to(hill, well) - from_hill, depth)
     if basin.even:
-        half_width = depth + turn_to(well, basin.axis)
+        half_width = pick(upper, turn_to(hill, basin.axis) - from_hill, depth + turn_to(well, basin.axis))
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
         far_moment, far_distance = near_moment, from_hill
     elif any_of(field_angle == 0) and not basin.passes:
@@ -76,7 +78,9 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
         half_width = (done + left) / 2 if piece.high_kind == "turn" else half_width
     else:
         half_width, left, far_moment, far_distance = far_side(eta, piece, rise, drop, depth, done, height)
-        near_moment = beside_shoulder(eta, basin, tip, offset, near_moment)
+        if basin.shoulder is not None:
+            lean = from_hill - turn_to(hill, basin.shoulder)
+            near_moment = pick(2 * abs(lean) < abs(offset), shoulder_moment(eta, basin, lean), near_moment)
         near_moment = larger(near_moment, least_moment(basin) * abs(offset))
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
     lack = (from_hill + far_distance) / 2 if basin.whole else pi - half_width
@@ -152,7 +156,7 @@ def far_side(eta, piece, rise, drop, depth, done, height):
     if piece.low_kind == "level":
         below = fall(eta, hill, piece.low_offset, rise)
     else:
-        below = basin.far_rise + fall(eta, hill, 0, rise)
+        below = basin.far_rise + fall(eta, hill, 0, piece.low_offset + rise)
     if basin.passes:
         # Above the ridge by its height, and the ridge above the well behind it.
         above = height + fall(eta, basin.axis, 0, turn_to(basin.axis, far_well))
@@ -165,25 +169,46 @@ def far_side(eta, piece, rise, drop, depth, done, height):
     if piece.high_kind == "turn":
         left = larger(beyond_clamp(eta, piece, rise, drop, left), 0)
     if basin.shoulder is not None:
-        # V may be so nearly level there that only from the clamp is it told where the motion turns.
-        turn, half_width = piece.beyond_well + left, (done + left) / 2
-    elif basin.passes:
+        return shoulder_side(eta, piece, rise, drop, depth, done, left, distance, by_hill)
+    if basin.passes:
         half_width = (turn + depth + turn_to(well, far_well)) / 2
     else:
         half_width = (turn + depth) / 2
     far_moment = pick(by_hill, slope(eta, far, -distance), slope(eta, far_well, distance)) * -1
-    far_moment = -beside_shoulder(eta, basin, far_well.angle + turn, distance, -far_moment)
     far_moment = larger(far_moment, least_moment(basin) * distance)
     return half_width, left, far_moment, pick(by_hill, distance, down - distance)
 
 
-def beside_shoulder(eta, basin, angle, offset, moment):
-    """θ″ at an angle, by the shoulder of V if that is nearer than the direction by whose offset it was told."""
-    if basin.shoulder is None:
-        return moment
-    apart = wrapped(angle - basin.shoulder.angle)
-    told = basin.moment * cos(apart) + slope(eta, basin.shoulder, apart)
-    return pick(2 * abs(apart) < abs(offset), told, moment)
+def shoulder_side(eta, piece, rise, drop, depth, done, left, distance, by_hill):
+    """``far_side`` where a ridge is nearly there: V may be so nearly level about its shoulder that only the level of the
+    shoulder, or of the clamp, tells where the motion turns. left, distance: as far as V by a hill or a well tells them.
+    """
+    basin = piece.basin
+    far, far_well, clamp = basin.far, basin.far_well, clamp_beyond(piece)
+    beside = distance if by_hill else piece.beyond_well + left  # from the hill or the well
+    turn = clamp + left  # far turning point − shoulder
+    near = 2 * abs(turn) < beside
+    if near and "shoulder" in (piece.low_kind, piece.high_kind):
+        change = -rise if piece.low_kind == "shoulder" else drop
+        turn = beyond_shoulder(eta, basin, tip_fall(eta, piece, change, rise, drop), turn)
+        left = turn - clamp
+    # From the nearer of the two levels at which the range ends.
+    if piece.high_kind == "turn" and (piece.low_kind != "shoulder" or 2 * left <= abs(clamp)):
+        left = larger(beyond_clamp(eta, piece, rise, drop, left), 0)
+        turn = clamp + left
+    if near:
+        moment = shoulder_moment(eta, basin, turn)
+    else:
+        moment = slope(eta, far, -distance) if by_hill else slope(eta, far_well, piece.beyond_well + left)
+        moment = -larger(-moment, least_moment(basin) * beside)
+    return (done + left) / 2, left, -moment, distance if by_hill and not near else piece.far_gap - left
+
+
+def tip_fall(eta, piece, change, rise, drop):
+    """V(tip) − V(tip + change)."""
+    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
+    upper = from_hill < depth
+    return fall(eta, pick_rest(upper, piece.basin.hill, piece.basin.well), pick(upper, from_hill, -depth), change)
 
 
 def least_moment(basin):
@@ -209,15 +234,13 @@ def beyond_clamp(eta, piece, rise, drop, rough):
     from a hill or a well allows.
     """
     basin, rest, start, moment = piece.basin, piece.clamp_rest, piece.clamp_offset, 0
-    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
-    upper = from_hill < depth
-    amount = fall(eta, pick_rest(upper, basin.hill, basin.well), pick(upper, from_hill, -depth), drop)
+    amount = tip_fall(eta, piece, drop, rise, drop)
     far = rough > 0.25 * abs(start)
     if basin.shoulder is not None:
-        apart = wrapped(rest.angle + start - basin.shoulder.angle)
+        apart = clamp_beyond(piece)
         near = 2 * abs(apart) < abs(start)
         rest, start = pick_rest(near, basin.shoulder, rest), pick(near, apart, start)
-        moment, far = pick(near, basin.moment, 0), pick(near, rough > 0.25, far)
+        moment, far = pick(near, basin.moment, 0), pick(near, rough > 0.5 * abs(piece.clamp_offset), far)
     better = onward(eta, rest, start, -amount, rough, far == 0, moment)
     # Newton's method leaves a place where V is nearly level for one far away.
     return pick(far | (abs(better - rough) > 0.01), rough, better)

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 b645e5232b8d2b60e080b968b996b772212f2027a2a9311446ce085337086bd3
+Digest of the inputs: sha256 59b986b40f1f934588acfc7e845126ab405ec32243ae62f6fc0d162440d25281
 """
 
 from __future__ import annotations
@@ -27,6 +27,7 @@ from derive.emit.kernels.motion import Motion
 from derive.emit.kernels.pieces import Piece
 from derive.emit.kernels.potential_each import fall_from_rest_each, moment_from_rest_each
 from derive.emit.kernels.rests_each import pick_rest_each
+from derive.emit.kernels.shoulders import beyond_shoulder, clamp_beyond, shoulder_moment
 
 
 def motion_at_each(beta, eta, field_angle, piece: Piece, place):
@@ -48,8 +49,11 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
     # Near the high end the clamp is told from there, else as the tip is: the clamp's own distances are exact.
     done, apart = piece.clamp_gap + drop, each_pick(upper, piece.past_hill - from_hill, piece.past_well + depth)
     done = each_pick(done < 0.5 * each_pick(upper, from_hill, each_abs(piece.past_well)), done, apart)
+    depth = each_pick(upper, turn_to_each(hill, well) - from_hill, depth)
     if basin.even:
-        half_width = depth + turn_to_each(well, basin.axis)
+        half_width = each_pick(
+            upper, turn_to_each(hill, basin.axis) - from_hill, depth + turn_to_each(well, basin.axis)
+        )
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
         far_moment, far_distance = near_moment, from_hill
     elif any_of(field_angle == 0) and not basin.passes:
@@ -57,7 +61,11 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
         half_width = (done + left) / 2 if piece.high_kind == "turn" else half_width
     else:
         half_width, left, far_moment, far_distance = far_side_each(eta, piece, rise, drop, depth, done, height)
-        near_moment = beside_shoulder_each(eta, basin, tip, offset, near_moment)
+        if basin.shoulder is not None:
+            lean = from_hill - turn_to_each(hill, basin.shoulder)
+            near_moment = each_pick(
+                2 * each_abs(lean) < each_abs(offset), shoulder_moment(eta, basin, lean), near_moment
+            )
         near_moment = larger(near_moment, least_moment_each(basin) * each_abs(offset))
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
     lack = (from_hill + far_distance) / 2 if basin.whole else pi - half_width
@@ -136,7 +144,7 @@ def far_side_each(eta, piece, rise, drop, depth, done, height):
     if piece.low_kind == "level":
         below = fall_each(eta, hill, piece.low_offset, rise)
     else:
-        below = basin.far_rise + fall_each(eta, hill, 0, rise)
+        below = basin.far_rise + fall_each(eta, hill, 0, piece.low_offset + rise)
     if basin.passes:
         # Above the ridge by its height, and the ridge above the well behind it.
         above = height + fall_each(eta, basin.axis, 0, turn_to_each(basin.axis, far_well))
@@ -149,25 +157,48 @@ def far_side_each(eta, piece, rise, drop, depth, done, height):
     if piece.high_kind == "turn":
         left = larger(beyond_clamp_each(eta, piece, rise, drop, left), 0)
     if basin.shoulder is not None:
-        # V may be so nearly level there that only from the clamp is it told where the motion turns.
-        turn, half_width = piece.beyond_well + left, (done + left) / 2
-    elif basin.passes:
+        return shoulder_side_each(eta, piece, rise, drop, depth, done, left, distance, by_hill)
+    if basin.passes:
         half_width = (turn + depth + turn_to_each(well, far_well)) / 2
     else:
         half_width = (turn + depth) / 2
     far_moment = each_pick(by_hill, slope_each(eta, far, -distance), slope_each(eta, far_well, distance)) * -1
-    far_moment = -beside_shoulder_each(eta, basin, far_well.angle + turn, distance, -far_moment)
     far_moment = larger(far_moment, least_moment_each(basin) * distance)
     return half_width, left, far_moment, each_pick(by_hill, distance, down - distance)
 
 
-def beside_shoulder_each(eta, basin, angle, offset, moment):
-    """θ″ at an angle, by the shoulder of V if that is nearer than the direction by whose offset it was told."""
-    if basin.shoulder is None:
-        return moment
-    apart = wrapped_each(angle - basin.shoulder.angle)
-    told = basin.moment * each_cos(apart) + slope_each(eta, basin.shoulder, apart)
-    return each_pick(2 * each_abs(apart) < each_abs(offset), told, moment)
+def shoulder_side_each(eta, piece, rise, drop, depth, done, left, distance, by_hill):
+    """``far_side`` where a ridge is nearly there: V may be so nearly level about its shoulder that only the level of the
+    shoulder, or of the clamp, tells where the motion turns. left, distance: as far as V by a hill or a well tells them.
+    """
+    basin = piece.basin
+    far, far_well, clamp = basin.far, basin.far_well, clamp_beyond(piece)
+    beside = distance if by_hill else piece.beyond_well + left  # from the hill or the well
+    turn = clamp + left  # far turning point − shoulder
+    near = 2 * each_abs(turn) < beside
+    if near and "shoulder" in (piece.low_kind, piece.high_kind):
+        change = -rise if piece.low_kind == "shoulder" else drop
+        turn = beyond_shoulder(eta, basin, tip_fall_each(eta, piece, change, rise, drop), turn)
+        left = turn - clamp
+    # From the nearer of the two levels at which the range ends.
+    if piece.high_kind == "turn" and (piece.low_kind != "shoulder" or 2 * left <= each_abs(clamp)):
+        left = larger(beyond_clamp_each(eta, piece, rise, drop, left), 0)
+        turn = clamp + left
+    if near:
+        moment = shoulder_moment(eta, basin, turn)
+    else:
+        moment = slope_each(eta, far, -distance) if by_hill else slope_each(eta, far_well, piece.beyond_well + left)
+        moment = -larger(-moment, least_moment_each(basin) * beside)
+    return (done + left) / 2, left, -moment, distance if by_hill and not near else piece.far_gap - left
+
+
+def tip_fall_each(eta, piece, change, rise, drop):
+    """V(tip) − V(tip + change)."""
+    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
+    upper = from_hill < depth
+    return fall_each(
+        eta, pick_rest_each(upper, piece.basin.hill, piece.basin.well), each_pick(upper, from_hill, -depth), change
+    )
 
 
 def least_moment_each(basin):
@@ -193,15 +224,13 @@ def beyond_clamp_each(eta, piece, rise, drop, rough):
     from a hill or a well allows.
     """
     basin, rest, start, moment = piece.basin, piece.clamp_rest, piece.clamp_offset, 0
-    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
-    upper = from_hill < depth
-    amount = fall_each(eta, pick_rest_each(upper, basin.hill, basin.well), each_pick(upper, from_hill, -depth), drop)
+    amount = tip_fall_each(eta, piece, drop, rise, drop)
     far = rough > 0.25 * each_abs(start)
     if basin.shoulder is not None:
-        apart = wrapped_each(rest.angle + start - basin.shoulder.angle)
+        apart = clamp_beyond(piece)
         near = 2 * each_abs(apart) < each_abs(start)
         rest, start = pick_rest_each(near, basin.shoulder, rest), each_pick(near, apart, start)
-        moment, far = each_pick(near, basin.moment, 0), each_pick(near, rough > 0.25, far)
+        moment, far = each_pick(near, basin.moment, 0), each_pick(near, rough > 0.5 * each_abs(piece.clamp_offset), far)
     better = onward_each(eta, rest, start, -amount, rough, far == 0, moment)
     # Newton's method leaves a place where V is nearly level for one far away.
     return each_pick(far | (each_abs(better - rough) > 0.01), rough, better)

@@ -13,6 +13,7 @@ from derive.emit.kernels.arithmetic import any_of, larger, pick
 from derive.emit.kernels.ground import ground_of
 from derive.emit.kernels.levels import fall, onward, reach, turn_to
 from derive.emit.kernels.rests import Rest, pick_rest
+from derive.emit.kernels.shoulders import with_shoulder_level
 
 
 class Basin(NamedTuple):
@@ -61,9 +62,9 @@ class Piece(NamedTuple):
 
 
 def pieces(beta, eta, field_angle, scene, clamp):
-    """All ranges of tip angles below the clamp angle."""
+    """All ranges of tip angles below the clamp angle, from low to high, one after the other as they are asked for."""
     ground = ground_of(beta, eta, field_angle, scene, clamp)
-    return [build(ground) for here, build in ranges(ground) if here]
+    return (part for here, build in ranges(ground) if here for part in with_shoulder_level(eta, build(ground)))
 
 
 def ranges(ground):

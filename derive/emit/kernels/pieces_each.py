@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/pieces.py: do not edit, change that file.
 
-Digest of the inputs: sha256 9ed8eeae64ac7cf316ce5a68d64a7fbee6fc8a7266758552f3d315cb72db28ac
+Digest of the inputs: sha256 71cc905f4806714dfd118370eb824bef7b22abefdfda46dff9f683b874f76b2e
 """
 
 from __future__ import annotations
@@ -12,12 +12,13 @@ from derive.emit.kernels.ground_each import ground_of_each
 from derive.emit.kernels.levels_each import fall_each, onward_each, reach_each, turn_to_each
 from derive.emit.kernels.pieces import Basin, Piece
 from derive.emit.kernels.rests_each import pick_rest_each
+from derive.emit.kernels.shoulders import with_shoulder_level
 
 
 def pieces_each(beta, eta, field_angle, scene, clamp):
-    """All ranges of tip angles below the clamp angle."""
+    """All ranges of tip angles below the clamp angle, from low to high, one after the other as they are asked for."""
     ground = ground_of_each(beta, eta, field_angle, scene, clamp)
-    return [build(ground) for here, build in ranges_each(ground) if here]
+    return (part for here, build in ranges_each(ground) if here for part in with_shoulder_level(eta, build(ground)))
 
 
 def ranges_each(ground):

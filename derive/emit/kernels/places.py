@@ -5,12 +5,14 @@ from __future__ import annotations
 from derive.emit.kernels.arithmetic import ceil, deepest, epsilon, exp, log, pi, sqrt
 from derive.emit.kernels.levels import fall, reach, slope, turn_to
 from derive.emit.kernels.oblique_rests import astroid_cusp, ridge_couple
+from derive.emit.kernels.shoulders import beside_level
 
 
 def places(beta, eta, field_angle, length, piece):
     """Places to begin with, closer around the level at which the motion meets a ridge that is not quite there."""
     found, basin = grid(beta, eta, length, piece), piece.basin
-    if basin.even or basin.passes or piece.low_kind == "level" or not basin.whole:
+    divided = "shoulder" in (piece.low_kind, piece.high_kind)
+    if basin.even or basin.passes or piece.low_kind == "level" or not basin.whole or divided:
         return found
     angle = abs(field_angle)
     cusp = angle + pi + astroid_cusp(angle)
@@ -36,7 +38,7 @@ def grid(beta, eta, length, piece):
     first = min(first, -rounding) if piece.low_kind == "level" else first
     if piece.high_kind == "level":
         last = 2 * slow + rounding
-    elif piece.high_kind == "turn":
+    elif piece.high_kind != "clamp":
         last = 2 * rounding
     elif piece.high_depth == 0:
         last = rounding
@@ -46,7 +48,10 @@ def grid(beta, eta, length, piece):
         last = max(rounding, 4 + log(2 * piece.width) - log(moment) - 2 * log(length))
         last = min(last, 2 * deepest(piece.width))
     inner = [0.0]
-    for side, end in ((-1, -first), (1, last)):
+    for side, end, kind in ((-1, -first, piece.low_kind), (1, last, piece.high_kind)):
+        if kind == "shoulder":
+            inner += [side * place for place in beside_level(eta, piece)]
+            continue
         inner += [side * place for place in (1.25, 2.5, 5.0, 10.0) if place < end]
         inner.append(side * end)
     return sorted(inner)

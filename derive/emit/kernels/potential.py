@@ -3,17 +3,12 @@
 from __future__ import annotations
 
 from derive.emit.kernels.arithmetic import cos, sin
-from derive.emit.kernels.formulas import rest_drop, rest_fall, rest_moment
+from derive.emit.kernels.formulas import rest_fall, rest_moment
 
 
 def moment_from_rest(eta, stiffness, double_cosine, double_sine, offset):
     """θ″ = −V′ at an offset from a direction without moment."""
     return rest_moment(eta, stiffness, double_cosine, double_sine, sin(offset / 2), cos(offset / 2))
-
-
-def drop_from_rest(eta, stiffness, double_cosine, double_sine, offset):
-    """V(0) − V(offset), with angles measured from a direction without moment."""
-    return rest_drop(eta, stiffness, double_cosine, double_sine, sin(offset / 2), cos(offset / 2))
 
 
 def fall_from_rest(eta, stiffness, double_cosine, double_sine, middle, half):

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from derive.emit.kernels.expansion import divided, period_of, quarter
+from derive.emit.kernels.expansion import divided, middle_of, period_of, quarter
 from derive.emit.kernels.shortening import shortened
 
 ENOUGH = 1500  # points in a run, on average, from which runs are faster than looking up
@@ -38,7 +38,7 @@ def by_runs(equilibrium, bins, cells, s, position):
     width = bins.width / cells
     rows = series_of(rod, bins, cells, position)
     advance = period_of(equilibrium)[1]
-    advances = (0.0, 0.0, advance.real, advance.imag)
+    advances, last = (0.0, 0.0, advance.real, advance.imag), middle_of(equilibrium)
     results = [np.empty(s.size) for _ in rows]
     spare = np.empty(RUN_BLOCK)
     for run in runs_of(equilibrium, bins, width, s):
@@ -49,6 +49,8 @@ def by_runs(equilibrium, bins, cells, s, position):
             within -= run.middle * (2 / width)
             for result, row, step in zip(results, rows, advances, strict=False):
                 sum_run(row[run.cell], run.periods * step, within, result[block])
+            if last:
+                results[0][block] += last
     return results if position else [*results, None, None]
 
 

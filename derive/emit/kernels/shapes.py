@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from derive.emit.kernels.arcs import Arc, Point, arc_from_far, arc_to, heading_of, phase_from_far, sent_back
-from derive.emit.kernels.arithmetic import atan2, cos, epsilon, floor, ldexp, pick, plus_quarters, sin, sqrt
+from derive.emit.kernels.arithmetic import apart_by_quarters, atan2, cos, epsilon, floor, ldexp, pick, sin, sqrt
 from derive.emit.kernels.formulas import (
     before_cosine,
     before_over,
@@ -51,19 +51,26 @@ class Station(NamedTuple):
 
 def angle_and_position(equilibrium, s, position=True):
     """θ, θ′, y and z at an arc length s from the clamp; y and z are worth nothing without ``position``."""
+    if equilibrium.swing is not None:
+        anchor, turned, curvature, y, z = along_bent(equilibrium, s, position)
+        return anchor + turned, curvature, y, z
+    rod = equilibrium.rod
+    length = ldexp(rod.length, -rod.scale)
+    share, left, bend = s / length, length - s, equilibrium.clamp_curvature
+    angle = equilibrium.tip_angle - bend * left * (left / length) / 2
+    return angle, bend * (left / length), equilibrium.y * share, equilibrium.z * share
+
+
+def along_bent(equilibrium, s, position):
+    """θ in two parts, of which only the sum is rounded at the size of θ, and θ′, y and z, of a rod that is bent."""
     rod, swing = equilibrium.rod, equilibrium.swing
-    if swing is None:
-        length = ldexp(rod.length, -rod.scale)
-        share, left, bend = s / length, length - s, equilibrium.clamp_curvature
-        angle = equilibrium.tip_angle - bend * left * (left / length) / 2
-        return angle, bend * (left / length), equilibrium.y * share, equilibrium.z * share
     station = station_of(rod, swing, ldexp(s, rod.scale))
     sign = -1 if station.whole % 2 == 1 else 1
-    theta, speed, arc = on_swing(rod, swing, station, position)
+    anchor, turned, speed, arc = on_swing(rod, swing, station, position)
     # Along the tip's direction the rod is as long as it is; only what it departs by from that has been computed.
     y = s * swing.heading.cosine + ldexp(swing.total.y - station.whole * swing.arc.y - arc.y, -rod.scale)
     z = s * swing.heading.sine + ldexp(swing.total.z - station.whole * swing.arc.z - arc.z, -rod.scale)
-    return rod.side * theta, -rod.side * sign * ldexp(speed, rod.scale), y, rod.side * z
+    return rod.side * anchor, rod.side * turned, -rod.side * sign * ldexp(speed, rod.scale), y, rod.side * z
 
 
 def station_of(rod, swing, s):
@@ -74,8 +81,10 @@ def station_of(rod, swing, s):
     towards_tip = swing.whole % 2 == 0
     ahead = swing.arrival if towards_tip else swing.length - swing.arrival
     if 2 * s >= rod.length:
-        whole = floor((rod.length - s) / swing.length)
-        return station_at(swing, whole, whole % 2 == 0, rod.length - s - whole * swing.length, s, 0)
+        # The motion takes a rounding more or less than the rod is long.
+        left = rod.length - s if swing.whole else (rod.length - s) * (swing.arrival / rod.length)
+        whole = floor(left / swing.length)
+        return station_at(swing, whole, whole % 2 == 0, left - whole * swing.length, s, 0)
     if s <= ahead:
         return station_at(swing, swing.whole, towards_tip, ahead - s, s, -1 if towards_tip else 1)
     turned = floor((s - ahead) / swing.length)
@@ -91,19 +100,19 @@ def station_at(swing, whole, from_tip, length, beside, away):
 
 
 def on_swing(rod, swing, station, position):
-    """θ, dθ/dσ and the arc from the last turning point, or from the tip, at a point of the first half-swing."""
+    """θ in two parts, dθ/dσ and the arc from the last turning point, or from the tip, at a point of a half-swing."""
     stay = swing.stay
     regular = swing.length - stay.tip - stay.middle - stay.far
     _, here, middle, far = parts(station.from_tip, stay.tip, regular, stay.middle)
     first, left, behind, _ = parts(station.from_far, stay.far, regular, stay.middle)
     if station.whole % 2 == 1:
         middle, far = behind, first
-    theta, speed, arc = regular_part(rod, swing, station, here, left, position)
+    anchor, turned, speed, arc = regular_part(rod, swing, station, here, left, position)
     for straight, extent in ((swing.middle_angle, middle), (swing.far_angle, far)):
         if extent > 0:
             turned_y, turned_z = cos(straight) - swing.heading.cosine, sin(straight) - swing.heading.sine
             arc = Arc(arc.y + extent * turned_y, arc.z + extent * turned_z, arc.square)
-    return theta, speed, arc
+    return anchor, turned, speed, arc
 
 
 def parts(length, stay, regular, middle_stay):
@@ -120,29 +129,32 @@ def parts(length, stay, regular, middle_stay):
 
 
 def regular_part(rod, swing, station, here, left, position):
-    """θ, dθ/dσ and the arc by the motion alone, at its lengths from the tip and from the far turning point."""
+    """θ in two parts, dθ/dσ and the arc, at lengths of the motion alone from the tip and the far turning point."""
     motion, back, arc = swing.stay.motion, station.whole % 2 == 1, Arc(0, 0, 0)
     if here <= epsilon() * left:  # where the square of the phase may underflow
         if back and position:
             _, arc = way_back(rod, swing.heading, motion, (1, 0), left, position)
-        return plus_quarters(motion.tip, 4 * swing.turns), 0 * here, arc
+        return *apart_by_quarters(motion.tip, 4 * swing.turns), 0 * here, arc
     a, b = motion.end / 2, motion.middle / 2
     if next_to_clamp(swing, station, here, left):
         square, rest = phase_beside(a, b, swing.square, swing.rest, station, here + left)
     else:
         square, rest = phase_at(a, b, here, left)
     point, half, low = point_at(motion, square, rest)
-    theta, speed = motion.tip + 2 * half, point_speed(point.strength, low, point.one, point.product)
-    theta = plus_quarters(theta, 4 * swing.turns)
+    speed = point_speed(point.strength, low, point.one, point.product)
+    # The clamp angle is exact: what is measured from there is told from there.
+    anchor, turned = rod.clamp_angle, 2 * half - motion.done
+    if station.away == 0:
+        anchor, turned = apart_by_quarters(motion.tip + 2 * half, 4 * swing.turns)
     if back or left < here:
         # So near the far turning point that cos²ψ underflows the lengths tell more.
         phase = phase_from_far(motion, square, rest) if rest > epsilon() ** 12 else phase_at(a, b, left, here)
         behind, arc = way_back(rod, swing.heading, motion, phase, left, position and back)
-        # The clamp angle is exact, and the turning point is told from there.
-        theta = rod.clamp_angle + (motion.left - 2 * behind) if left < here else theta
+        if left < here:
+            anchor, turned = rod.clamp_angle, motion.left - 2 * behind
     if position and not back:
         arc = arc_to(rod.beta, rod.eta, swing.heading, motion, point, square, rest, here)
-    return theta, speed, arc
+    return anchor, turned, speed, arc
 
 
 def way_back(rod, heading, motion, phase, extent, position):

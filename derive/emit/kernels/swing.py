@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import any_of, atan2, epsilon, hypot, larger, pi, pick, sin, sqrt
+from derive.emit.kernels.arithmetic import any_of, arc_excess, atan2, epsilon, hypot, larger, pi, pick, sin, sqrt
 from derive.emit.kernels.formulas import (
     back_below,
     back_below_rest,
@@ -19,10 +19,11 @@ from derive.emit.kernels.formulas import (
     half_rest_beyond,
     half_square,
     half_square_beyond,
+    lag_step,
+    phase_bend,
     phase_lead,
     phase_rate,
     phase_sum,
-    second_kind_step,
 )
 
 
@@ -57,6 +58,11 @@ def phase_of(motion):
     return Phase(half, rest, whole, delta)
 
 
+def speed_at(motion, phase):
+    """|dθ/dσ| where the motion meets the clamp."""
+    return phase.delta * phase.whole / (motion.end * motion.sine) * sqrt(2 * motion.done_sine * motion.left_sine)
+
+
 def lengths(a, b, square, rest):
     """The complete and the incomplete integral of 1/√(a² cos²ψ + b² sin²ψ), by sin²ψ and cos²ψ.
 
@@ -74,18 +80,26 @@ def lengths(a, b, square, rest):
 
 
 def second_kind(a, b, square, rest, arrival):
-    """(b² − a²)∫sin²ψ over the same range as ``arrival``, the length, by the same transformation (DLMF 19.8.19)."""
-    limit, more, weight, growth = epsilon() ** 0.5, any_of(a > 0), 1, 0
-    gap = a - b
+    """∫sin²ψ over the same range as ``arrival``, the length, and by how much that exceeds sin ψ cos ψ/Δ.
+
+    By the same transformation (DLMF 19.8.19). Both are small as the cube of a short length, without a difference.
+    """
+    limit, more, gap = epsilon() ** 0.5, any_of(a > 0), a - b
+    delta, weight, weights, integral, excess = phase_rate(a, b, square, rest), 0.5, 0, 0, 0
     while more:
         more = any_of(abs(gap) > limit * a)
-        delta = phase_rate(a, b, square, rest)
         total, below = a + b, a + delta
-        growth = growth - weight * second_kind_step(total, gap, below, square, rest, arrival)
         square, rest = gauss_square(square, total, below), gauss_rest(a, b, square, rest, delta, below)
-        a, b, weight = total / 2, sqrt(a * b), 2 * weight
+        share, first, second = gap / total, 2 * a / total, 2 * b / total
+        a, b = total / 2, sqrt(a * b)
+        delta = phase_rate(a, b, square, rest)
+        bend = phase_bend(share, first, square, rest, sqrt(square * rest), delta)
+        step = lag_step(bend, share, second, square, rest)
+        integral = integral + weight * first * bend + weights * step
+        weights, weight, excess = weights + weight, weight * share / 2, excess + step
         gap = gauss_gap(gap, a + b)  # a difference would lose what the weight brings out
-    return growth
+    last = arc_excess((a + b) * arrival) / (a + b)
+    return integral + (weights + weight) * last, excess + last
 
 
 def phase_at(a, b, length, left):

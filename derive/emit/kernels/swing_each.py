@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/swing.py: do not edit, change that file.
 
-Digest of the inputs: sha256 6a51d6b06b08a5b585ed700a25ef89fa3bd82ad653bb4f718001e49116c92b42
+Digest of the inputs: sha256 bf51c4f3e34d26b121f72552b91ee305b22ff900dc12a46718ad03e0b3edc88e
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import (
     any_of,
     each_abs,
+    each_arc_excess,
     each_atan2,
     each_hypot,
     each_pick,
@@ -32,10 +33,11 @@ from derive.emit.kernels.formulas_each import (
     half_rest_each,
     half_square_beyond_each,
     half_square_each,
+    lag_step_each,
+    phase_bend_each,
     phase_lead_each,
     phase_rate_each,
     phase_sum_each,
-    second_kind_step_each,
 )
 from derive.emit.kernels.swing import Phase
 
@@ -60,6 +62,11 @@ def phase_of_each(motion):
     return Phase(half, rest, whole, delta)
 
 
+def speed_at_each(motion, phase):
+    """|dθ/dσ| where the motion meets the clamp."""
+    return phase.delta * phase.whole / (motion.end * motion.sine) * each_sqrt(2 * motion.done_sine * motion.left_sine)
+
+
 def lengths_each(a, b, square, rest):
     """The complete and the incomplete integral of 1/√(a² cos²ψ + b² sin²ψ), by sin²ψ and cos²ψ.
 
@@ -77,18 +84,26 @@ def lengths_each(a, b, square, rest):
 
 
 def second_kind_each(a, b, square, rest, arrival):
-    """(b² − a²)∫sin²ψ over the same range as ``arrival``, the length, by the same transformation (DLMF 19.8.19)."""
-    limit, more, weight, growth = epsilon() ** 0.5, any_of(a > 0), 1, 0
-    gap = a - b
+    """∫sin²ψ over the same range as ``arrival``, the length, and by how much that exceeds sin ψ cos ψ/Δ.
+
+    By the same transformation (DLMF 19.8.19). Both are small as the cube of a short length, without a difference.
+    """
+    limit, more, gap = epsilon() ** 0.5, any_of(a > 0), a - b
+    delta, weight, weights, integral, excess = phase_rate_each(a, b, square, rest), 0.5, 0, 0, 0
     while more:
         more = any_of(each_abs(gap) > limit * a)
-        delta = phase_rate_each(a, b, square, rest)
         total, below = a + b, a + delta
-        growth = growth - weight * second_kind_step_each(total, gap, below, square, rest, arrival)
         square, rest = gauss_square_each(square, total, below), gauss_rest_each(a, b, square, rest, delta, below)
-        a, b, weight = total / 2, each_sqrt(a * b), 2 * weight
+        share, first, second = gap / total, 2 * a / total, 2 * b / total
+        a, b = total / 2, each_sqrt(a * b)
+        delta = phase_rate_each(a, b, square, rest)
+        bend = phase_bend_each(share, first, square, rest, each_sqrt(square * rest), delta)
+        step = lag_step_each(bend, share, second, square, rest)
+        integral = integral + weight * first * bend + weights * step
+        weights, weight, excess = weights + weight, weight * share / 2, excess + step
         gap = gauss_gap_each(gap, a + b)  # a difference would lose what the weight brings out
-    return growth
+    last = each_arc_excess((a + b) * arrival) / (a + b)
+    return integral + (weights + weight) * last, excess + last
 
 
 def phase_at_each(a, b, length, left):

@@ -1,0 +1,116 @@
+"""The tips of a rod that is shorter than any two half-swings, by where its motions are after its length.
+
+From a tip φ the motion is at φ + 2 arctan(b/(℘(σ) − c)) (``theory/oblique``), and ℘ follows from its series near 0 by
+the duplication formula (DLMF 23.9.2, 23.10.7): no roots, no ranges. On a rod with ℓ√(β + η) < 2π, which no two
+half-swings fit, that is one function of the tip angle, and what bounds its second derivative tells how many zeros lie
+between two samples.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from derive.emit.kernels.arithmetic import atan2, cos, exp, floor, less_quarters, pi, sin, sqrt
+from derive.emit.kernels.formulas import shot_bend
+from derive.emit.kernels.roots import bracketed_root
+
+SHORT_SLOW = 1.2 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
+LEVEL = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
+CLOSEST = 2.0**-12  # least distance of samples, as a share of how far a tip may be from the clamp angle
+UNSURE = 1e-9  # what is missed is right to less than 1e-5 of this share of that
+SLACK = 1e-4  # by how much more than the bound samples must be apart
+ALIKE = 1e-14  # as ``UNSURE``, what rounding may have made of zero
+BESIDE = 1e-6  # distance from a zero at which its slope is told, as a share of the same
+
+
+class Shot(NamedTuple):
+    """A tip, by its offset from the clamp angle; rate: ∂θ(0)/∂θ(ℓ)."""
+
+    offset: float
+    rate: float
+
+
+def tip_shots(beta, eta, field_angle, length, clamp_angle):
+    """All tips of a short rod, as Shots from the lowest up; None if it is not short, or samples leave a doubt."""
+    slow, square = length * sqrt(beta + eta), length * length
+    if slow > SHORT_SLOW:
+        return None
+    beta, eta = beta * square, eta * square
+    clamp = less_quarters(clamp_angle, 4 * floor(clamp_angle / (2 * pi) + 0.5))
+    if abs(beta * sin(clamp) + eta / 2 * sin(2 * (clamp - field_angle))) < LEVEL:
+        return None
+
+    def missed(offset):
+        return miss_of(beta, eta, field_angle, clamp, offset)
+
+    # θ″ is nowhere more than β + η/2, and no motion is wider than a turn.
+    reach = (1 + SLACK) * min((beta + eta / 2) / 2, 2 * pi)
+    samples = samples_apart(missed, reach, shot_bend(beta, eta, (exp(slow / 2) - exp(-slow / 2)) ** 2 / 2) / 2)
+    return None if samples is None else zeros_between(missed, *samples, reach)
+
+
+def mirror_shots(shots):
+    """The tips of the rod seen from the other side of the y axis."""
+    return [Shot(-shot.offset, shot.rate) for shot in shots[::-1]]
+
+
+def miss_of(beta, eta, field_angle, clamp_angle, offset):
+    """The angle at arc length 0 of a motion from a tip at an offset from the clamp angle, less the clamp angle.
+
+    The rod's length is 1.
+    """
+    tip = clamp_angle + offset
+    double = 2 * (tip - field_angle)
+    along, across, half = beta * cos(tip), beta * sin(tip), eta / 2 * sin(double)
+    p, m, q = across + half, across - half, along + eta * cos(double)
+    quarter, c = p * m / 4, q / 12
+    value = wp_after_one(q * c - quarter, (quarter - q * q / 18) * c - along * p * p / 16)
+    return offset + 2 * atan2(p / 4, value - c)
+
+
+def wp_after_one(g2, g3):
+    """℘(1) by the series at 1/8 and the duplication formula."""
+    a, b = g2 / 81920, g3 / 7340032
+    value = 64 * (1 + a + b + a * a / 3 + a * b * (3 / 11) + (2 * a * a * a / 3 + b * b) / 13)
+    quarter, twice = g2 / 4, 2 * g3
+    for _ in range(3):
+        squared = value * value
+        above = squared + quarter
+        value = (above * above + twice * value) / (value * (4 * squared - g2) - g3)
+    return value
+
+
+def samples_apart(function, reach, sag):
+    """Places and the values there, such that one zero or none lies between two; None where there is a doubt.
+
+    The function is above the chord between two places by no more than sag·width²/4. Where its values are on one side
+    of zero it has none between if the sum of their square roots is more than the width times √sag; and where their
+    sum is more than sag·width² it rises or falls all the way.
+    """
+    places, values = [-reach], [function(-reach)]
+    todo, bound = [(reach, function(reach))], (1 + SLACK) * sag
+    while todo:
+        place, value = todo[-1]
+        before, width = values[-1], place - places[-1]
+        apart = abs(value - before) if (value > 0) != (before > 0) else abs(value + before) + 2 * sqrt(value * before)
+        if apart > bound * width * width:
+            places.append(place)
+            values.append(value)
+            todo.pop()
+        elif width < CLOSEST * reach:
+            return None
+        else:
+            middle = place - width / 2
+            todo.append((middle, function(middle)))
+    return None if min(abs(value) for value in values) < UNSURE * reach else (places, values)
+
+
+def zeros_between(function, places, values, reach):
+    """The zeros between the places, as Shots."""
+    found = []
+    for k in range(1, len(places)):
+        if (values[k] > 0) != (values[k - 1] > 0):
+            known = [k - 1, k, *([k - 2] if k > 1 else []), *([k + 1] if k + 1 < len(places) else [])]
+            offset = bracketed_root(function, [places[j] for j in known], [values[j] for j in known], ALIKE * reach)
+            found.append(Shot(offset, function(offset + BESIDE * reach) / (BESIDE * reach)))
+    return found
