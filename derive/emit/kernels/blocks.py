@@ -184,7 +184,5 @@ def on_arrays(rods, shots, most):
         tip, lost = tips(group, shots, most)
         left.append(group.rods.case[lost])
         known += [Tips(*rows((group.rods, group.rank, group.turns), some.range), some) for some in tip]
-    parts = [no_columns(), *(straight_rods(some, most) for some in straight)]
-    if known:
-        parts += bent_rods(joined(known), most)
+    parts = [no_columns(), *(straight_rods(some, most) for some in straight), *bent_rods(known, most)]
     return joined(parts), concatenate(left)
