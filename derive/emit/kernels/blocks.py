@@ -43,9 +43,11 @@ SLOWEST = 250.0  # ℓ√(β + η) from which offsets would be too small for the
 def sweep_arrays(beta, eta, length, clamp_angle, field_angle, grid, max_index):
     """Every equilibrium of every rod, sorted by rod and then by tip angle; all arguments broadcast to ``grid``.
 
-    max_index: the largest index wanted, or None for all. The memory needed besides the result is that of one block.
+    max_index: the largest index wanted, or None for all. The memory needed besides the result is that of one block, or
+    of one column. Without ranks and places, which only put the tips of a block in order.
     """
-    number, parts = prod(grid), [no_columns()]
+    number, none = prod(grid), no_columns()
+    columns = [[column] for column in none]
     for start in range(0, number, BLOCK):
         which = slice(start, min(start + BLOCK, number))
         found = block(
@@ -57,8 +59,13 @@ def sweep_arrays(beta, eta, length, clamp_angle, field_angle, grid, max_index):
             which.stop - start,
             max_index,
         )
-        parts.append(found._replace(case=found.case + start))
-    return joined(parts)
+        found = found._replace(case=found.case + start, rank=none.rank, place=none.place)
+        for parts, column in zip(columns, found, strict=True):
+            parts.append(column)
+    whole = []
+    while columns:
+        whole.append(concatenate(columns.pop(0)))
+    return Columns(*whole)
 
 
 def block(beta, eta, length, clamp_angle, field_angle, size, max_index):
@@ -104,7 +111,7 @@ def at_once(beta, eta, length, clamp_angle, field_angle, size, most):
     rods = rows(Rods(arange(size), 1, scale, force, magnet, extent, clamp, field, slow, slow < 0), good)
     rods, shots = with_shots(rods, size)
     found, doubtful = on_arrays(rods, shots, most)
-    return found, unique(concatenate([flatnonzero(~good), doubtful, flatnonzero(short(found, size, most))]))
+    return found, unique(concatenate([flatnonzero(~good), doubtful, flatnonzero(short(found, shots, size, most))]))
 
 
 def with_shots(rods, size):
@@ -135,12 +142,14 @@ def both_sides_each(rods):
     )
 
 
-def short(found, size, most):
+def short(found, shots, size, most):
     """The rods of which an equilibrium is missing: those of even and of odd index differ by one in number (the
-    degree of the equation is that of the rod without load), and the least energy has index 0."""
+    degree of the equation is that of the rod without load), the least energy has index 0, and every shot ends in one.
+    """
     if most < inf:
         return bincount(found.case, minlength=size) == 0
-    return bincount(found.case, weights=1 - 2 * (found.index % 2), minlength=size) != 1
+    balance = bincount(found.case, weights=1 - 2 * (found.index % 2), minlength=size)
+    return (balance != 1) | (bincount(found.case, minlength=size) < shots.number[0::2] + shots.number[1::2])
 
 
 def principal_each(field_angle):
