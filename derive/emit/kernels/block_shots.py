@@ -40,7 +40,7 @@ SHOTS = 512  # rods at once
 EVEN = 3.0  # step between tips, over the steepest slope
 FEWEST_SPANS = 16
 ROUGH_HALVINGS = 2  # of spans in single precision
-HALVINGS = 22  # of the rest
+SPAN_HALVINGS = 22  # of the rest
 ROUGH_BLUR = 6e-3  # twice what is missed may be wrong by in single precision (docs/solver.md)
 BLUR = 1e-9  # the same in double precision
 STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
@@ -189,7 +189,7 @@ def told_apart(load, sag, rough, spans):
     first, spans = parted(rough, sag, spans, ROUGH_BLUR, ROUGH_HALVINGS)
     some = rows(load, spans.rod)
     ends = miss(some, spans.first), miss(some, spans.first + spans.width)
-    second, spans = parted(load, sag, spans._replace(before=ends[0], after=ends[1]), BLUR, HALVINGS)
+    second, spans = parted(load, sag, spans._replace(before=ends[0], after=ends[1]), BLUR, SPAN_HALVINGS)
     return joined([first, second]), spans.rod
 
 
