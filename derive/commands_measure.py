@@ -21,7 +21,7 @@ from derive import show, stages
 from derive.cache import Cache
 from derive.commands import running, save, write_file
 from derive.diagrams.plotting import library
-from derive.measure.bench import precision, tables
+from derive.measure.bench import atlas, precision, stability, tables
 from derive.measure.bench.families import Plan, Record, parts
 from derive.measure.bench.fronts import front, wins
 from derive.measure.bench.growth import exponents
@@ -136,7 +136,7 @@ def draw(folder: Path, found: Found) -> str:
 
 
 def show_found(found: Found) -> None:
-    """For each problem a table, and what others do better; growth, and who is missing."""
+    """For each problem a table, and what others do better; growth, and the other families in a line each."""
     console = show.console()
     records = found.records.get("tasks", [])
     for problem in dict.fromkeys(record["problem"] for record in records):
@@ -147,8 +147,19 @@ def show_found(found: Found) -> None:
     for row in exponents(found.records.get("growth", [])):
         memory = "" if row.memory is None else f", memory as {row.variable}^{row.memory:.2f}"
         console.print(f"{row.series}: time as {row.variable}^{row.time:.2f}{memory}", highlight=False)
-    for line in precision.left_out() if records else ():
+    for line in words(found):
         console.print(line, highlight=False, soft_wrap=True)
+
+
+def words(found: Found) -> Iterator[str]:
+    """What came out of maps and searches, in a line each, and who is missing."""
+    for name, family in (("atlas", atlas), ("stability", stability)):
+        if records := found.records.get(name):
+            yield f"{name}: {family.summary(records)}"
+    if found.records.get("tasks"):
+        yield from precision.missing()
+    if found.records.get("atlas"):
+        yield from atlas.missing()
 
 
 def problem_table(rows: Sequence[Record]) -> Table:
