@@ -17,7 +17,7 @@ from rich.markup import escape
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
-from derive import show, stages
+from derive import output, show, stages
 from derive.cache import Cache
 from derive.commands import running, save, write_file
 from derive.diagrams.plotting import library
@@ -47,6 +47,8 @@ def run_measure(options: argparse.Namespace) -> int:
     """Measure what has no record yet; then tables and pictures. 1 if a limit is missed or a method breaks."""
     must_be_known(options.only)
     folder = options.out or (None if options.quick else FOLDER)
+    if folder:
+        output.must_be_usable(folder)
     try:
         store = Store(folder, "quick" if options.quick else "full")
         with progress() as advance:
