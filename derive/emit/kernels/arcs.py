@@ -168,8 +168,10 @@ def kink_at(motion, first, second, point, root, q, m, square, rest):
     both = others_product(b, m, root, others)
     lift = pair_lift(sqrt(motion.near), sqrt(motion.far), motion.uneven, motion.half_cosine, square, rest)
     far = arc_kink(first, square, delta, across, b, x, root, sqrt(point.one), product)
-    by_lift = lift > 0.15  # a small one is as good as nothing to divide by
-    return pick(by_lift, arc_kink_tip(first, delta, across, b, x, root, others, both, pick(by_lift, lift, 1)), far)
+    # Beyond the middle the lift may be as good as nothing to divide by, and the square of the pole, too.
+    towards_tip = lift > 0.15
+    lift, there = pick(towards_tip, lift, 1), pick(towards_tip, x, 1)
+    return pick(towards_tip, arc_kink_tip(first, delta, across, b, there, root, others, both, lift), far)
 
 
 def rj_pair(x, product, root_sum, p, lift, less, twist):

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/arcs.py: do not edit, change that file.
 
-Digest of the inputs: sha256 9c75039b8f69e221a472ec2a816c5961005f3b4e239aec7f5e58114e7075fd77
+Digest of the inputs: sha256 fc115f21459ad9e2de1366f6da6240246fd7514d19279dbbfaebf94fe3a4ff6e
 """
 
 from __future__ import annotations
@@ -143,10 +143,10 @@ def kink_at_each(motion, first, second, point, root, q, m, square, rest):
         each_sqrt(motion.near), each_sqrt(motion.far), motion.uneven, motion.half_cosine, square, rest
     )
     far = arc_kink_each(first, square, delta, across, b, x, root, each_sqrt(point.one), product)
-    by_lift = lift > 0.15  # a small one is as good as nothing to divide by
-    return each_pick(
-        by_lift, arc_kink_tip_each(first, delta, across, b, x, root, others, both, each_pick(by_lift, lift, 1)), far
-    )
+    # Beyond the middle the lift may be as good as nothing to divide by, and the square of the pole, too.
+    towards_tip = lift > 0.15
+    lift, there = each_pick(towards_tip, lift, 1), each_pick(towards_tip, x, 1)
+    return each_pick(towards_tip, arc_kink_tip_each(first, delta, across, b, there, root, others, both, lift), far)
 
 
 def rj_pair_each(x, product, root_sum, p, lift, less, twist):

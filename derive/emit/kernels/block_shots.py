@@ -19,6 +19,7 @@ from numpy import (
     floor,
     full,
     inf,
+    isin,
     linspace,
     maximum,
     minimum,
@@ -40,9 +41,9 @@ SHOTS = 512  # rods at once
 EVEN = 3.0  # step between tips, over the steepest slope
 FEWEST_SPANS = 16
 ROUGH_HALVINGS = 2  # of spans in single precision
-SPAN_HALVINGS = 22  # of the rest
-ROUGH_BLUR = 6e-3  # twice what is missed may be wrong by in single precision (docs/solver.md)
-BLUR = 1e-9  # the same in double precision
+SPAN_HALVINGS = 18  # of the rest
+ROUGH_BLUR = 6e-3  # what is missed is right to half of that in single precision (docs/solver.md)
+BLUR = 2e-11  # the same in double precision
 STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
 AIMS = 4  # steps towards a zero
 AGAIN = 4  # as often for those that are still far
@@ -135,9 +136,11 @@ def is_shot(rods):
 
 
 def shots_of(rods, size):
-    """All tips of short rods, and the numbers of the rods of which they are not sure."""
+    """All tips of short rods, and the numbers of the rods of which they are not sure: these have none."""
     load, sag = load_of(rods), sag_of(rods)
     spans, unsure = told_apart(load, sag, *sampled_spans(load, sag, rods.slow))
+    if unsure.size:
+        spans = rows(spans, ~isin(spans.rod, unsure))
     which, left, right = spans.rod, spans.first, spans.first + spans.width
     some = rows(load, which)
     ends = left, right, spans.before, spans.after
