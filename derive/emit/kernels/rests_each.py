@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/rests.py: do not edit, change that file.
 
-Digest of the inputs: sha256 da3b4e364eef8a69deb01674f59c5b0a9d26b3264db6078e0649751c1a688098
+Digest of the inputs: sha256 8c07591ab55dbec76974cef162f9afc3c5e2d0b858b028fca6dd4c1903c2e965
 """
 
 from __future__ import annotations
@@ -77,7 +77,7 @@ def rising_root_each(function, low, high):
         low, high, value_low, value_high = narrowed_each(low, high, value_low, value_high, middle, value)
         low, high, value_low, value_high = narrowed_each(low, high, value_low, value_high, trial, value_trial)
         moving = moving & (each_abs(high - low) > 2 * epsilon() * each_abs(trial)) & (value_trial != 0) & (exact == 0)
-        if any_of(settled & moving):
+        if any_of(moving) and not any_of(moving & (settled == 0)):
             # The trials stay on one side of the root: is it between them and the next few numbers?
             beside = trial + each_pick((value_trial > 0) == (high > low), -2, 2) * epsilon() * each_abs(trial)
             beside = each_pick(settled, beside, trial)
