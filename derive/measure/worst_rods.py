@@ -27,6 +27,8 @@ ATLAS = (
     (1e-300, 1e-12, 1.0, 3 * pi / 4, GENERIC, "the energy of a short rod"),
     (0.35, 0.5874112084274707, 7.0, 2.0, GENERIC, "angles beyond 4 beside a fold of an inclined field"),
     (14.4, 21.599999999999998, 1.0, 1.8849555921538759, 0.3141592653589793, "angles beyond 4"),
+    (14.4, 21.599999999999998, 1.0, -0.7853981633974483, 0.39269908169872414, "angles beyond 4"),
+    (14.4, 21.599999999999998, 1.0, 1.8849555921538759, 0.9424777960769379, "angles beyond 4"),
 )
 
 # β, η, length, clamp, field angle of random rods that were off by more than a bound once, and what lost the digits.

@@ -18,8 +18,7 @@ PARTS = {"atlas": "errors at the extremes, ours beside what people use today"}
 SIZE, MOST = 6, 3  # rods a side of a map, and equilibria of a rod that are refined
 # What a quick run takes: maps that are made at once, one equilibrium of each rod.
 QUICK = {"loads_parallel": 3, "angles": 2}
-# In bounds. What lies between 1 and this is named in the tables: energies of short rods, known to err by up to 1.3.
-LIMIT = 1.5
+LIMIT = 1.0  # in bounds
 
 
 def jobs(plan: Plan) -> Iterator[Job]:
