@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 934e4f0e2b6e3c21ff01c030cdf3dd64c9b63e598135638870d6250ff8c2a8c2
+Digest of the inputs: sha256 a059530a997cc447b9c65b2b7dfb5bcd184cf928d56cd4438284815429c65995
 """
 
 from __future__ import annotations
@@ -57,7 +57,8 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
         half_width, left, far_moment, far_distance = parallel_side_each(beta, eta, piece, rise, drop, from_hill, depth)
         half_width = (done + left) / 2 if piece.high_kind == "turn" else half_width
     else:
-        half_width, left, far_moment, far_distance, there = far_side_each(eta, piece, rise, drop, depth, done, height)
+        side = far_side_each(eta, field_angle, piece, rise, drop, depth, done, height)
+        half_width, left, far_moment, far_distance, there = side
         if basin.shoulder is not None:
             near_moment = beside_shoulder(eta, basin, from_hill, offset, near_moment)
         near_moment = larger(near_moment, least_moment_each(basin) * each_abs(offset))
@@ -130,7 +131,7 @@ def within_each(sine):
     return each_pick(sine < 1, sine, 1)
 
 
-def far_side_each(eta, piece, rise, drop, depth, done, height):
+def far_side_each(eta, field_angle, piece, rise, drop, depth, done, height):
     """Half the width of the motion, how far it goes on beyond the clamp, the moment where it turns, how far that is
     from the far hill, and what a shoulder tells."""
     basin = piece.basin
@@ -149,7 +150,7 @@ def far_side_each(eta, piece, rise, drop, depth, done, height):
     distance = reach_either_each(eta, far, far_well, by_hill, each_pick(by_hill, below, above), down)
     turn = each_pick(by_hill, down - distance, distance)  # far turning point − far_well
     left = each_pick(by_hill, piece.far_gap - distance, distance - piece.beyond_well)
-    if basin.shoulder is not None:
+    if basin.shoulder is not None and any_of(field_angle != 0) and any_of(field_angle != pi / 2):
         return shoulder_side(eta, piece, rise, drop, done, left, by_hill, distance)
     if piece.high_kind == "turn":
         left = larger(beyond_clamp_each(eta, piece, rise, drop, left), 0)
@@ -228,10 +229,10 @@ def mean_less_field_each(eta, basin, centre, half_width, near, far, height, ther
         if any_of(far_off):
             # Not from a well that is far from where V is nearly level: there V tells least.
             told, turn = each_pick(near < far, by_near, by_far), ahead * behind
-            there = above_field_each(eta, basin, wrapped_each(-axis - centre), turn, height)
+            above = above_field_each(eta, basin, wrapped_each(-axis - centre), turn, height)
             known = each_pick(
                 far_off,
-                each_pick(height <= each_abs(turn) * eta * (each_abs(ahead) + each_abs(behind)), there, told),
+                each_pick(height <= each_abs(turn) * eta * (each_abs(ahead) + each_abs(behind)), above, told),
                 known,
             )
         apart = each_pick(close, known, apart)

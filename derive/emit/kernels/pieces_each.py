@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/pieces.py: do not edit, change that file.
 
-Digest of the inputs: sha256 7373b9820764aab1cafa77ee763698cbf1be738986849f91d2a7b69481d1c8bf
+Digest of the inputs: sha256 fcce4d23bb2b9c08956193b3c93044e6a3d007a571a7a71d4073fce27c2d520b
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ def basin_of_each(ground, first):
     hill, well, far = scene.rests[first : first + 3]
     whole = len(scene.rests) == 3
     even = scene.even and (scene.level or whole)
-    rise, beside = ground.drop if first else 0, (scene.shoulder, scene.moment)
+    rise, beside = ground.drop if first else 0, (scene.shoulder, scene.moment, 0.0)
     return Basin(hill, well, far, well, well, rise, False, even, whole, *beside)
 
 
