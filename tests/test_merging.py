@@ -77,6 +77,20 @@ def test_ranges_meet_at_the_level_of_a_shoulder_with_the_same_lengths() -> None:
     assert met > 50
 
 
+# β, η, length, clamp, field angle, and the number at 50 digits: 79, 51 and 233 were found when rounding hid the level.
+COUNTED = [
+    (0.5095570661991968, 0.9997007538462989, 124.49174803366071, -4.9386221777547386, -0.9543400304718245, 77),
+    (0.06905948388509622, 0.09932875420461525, 179.59722518831353, 10.064360542608334, 0.15007475272716508, 49),
+    (0.34907721451626983, 0.620893864446304, 257.08940251534085, 8.664275183300678, -1.1909300749106686, 235),
+]
+
+
+@pytest.mark.parametrize("row", COUNTED, ids=str)
+def test_rounding_beside_a_shoulder_neither_makes_nor_hides_equilibria(row: tuple[float, ...]) -> None:
+    *rod, number = row
+    assert len(all_equilibria(*rod, None)) == number
+
+
 def test_long_rods_beside_a_shoulder_have_indices_that_alternate() -> None:
     rng = random.Random(6)
     for _ in range(25):
