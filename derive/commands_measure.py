@@ -17,11 +17,11 @@ from rich.markup import escape
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
-from derive import show, stages
+from derive import output, show, stages
 from derive.cache import Cache
 from derive.commands import running, save, write_file
 from derive.diagrams.plotting import library
-from derive.measure.bench import precision, tables
+from derive.measure.bench import atlas, precision, stability, tables
 from derive.measure.bench.families import Plan, Record, parts
 from derive.measure.bench.fronts import front, wins
 from derive.measure.bench.growth import exponents
@@ -47,6 +47,8 @@ def run_measure(options: argparse.Namespace) -> int:
     """Measure what has no record yet; then tables and pictures. 1 if a limit is missed or a method breaks."""
     must_be_known(options.only)
     folder = options.out or (None if options.quick else FOLDER)
+    if folder:
+        output.must_be_usable(folder)
     try:
         store = Store(folder, "quick" if options.quick else "full")
         with progress() as advance:
@@ -136,7 +138,7 @@ def draw(folder: Path, found: Found) -> str:
 
 
 def show_found(found: Found) -> None:
-    """For each problem a table, and what others do better; growth, and who is missing."""
+    """For each problem a table, and what others do better; growth, and the other families in a line each."""
     console = show.console()
     records = found.records.get("tasks", [])
     for problem in dict.fromkeys(record["problem"] for record in records):
@@ -147,8 +149,19 @@ def show_found(found: Found) -> None:
     for row in exponents(found.records.get("growth", [])):
         memory = "" if row.memory is None else f", memory as {row.variable}^{row.memory:.2f}"
         console.print(f"{row.series}: time as {row.variable}^{row.time:.2f}{memory}", highlight=False)
-    for line in precision.left_out() if records else ():
+    for line in words(found):
         console.print(line, highlight=False, soft_wrap=True)
+
+
+def words(found: Found) -> Iterator[str]:
+    """What came out of maps and searches, in a line each, and who is missing."""
+    for name, family in (("atlas", atlas), ("stability", stability)):
+        if records := found.records.get(name):
+            yield f"{name}: {family.summary(records)}"
+    if found.records.get("tasks"):
+        yield from precision.missing()
+    if found.records.get("atlas"):
+        yield from atlas.missing()
 
 
 def problem_table(rows: Sequence[Record]) -> Table:

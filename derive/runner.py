@@ -14,7 +14,7 @@ from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import dataclass, field
 from typing import Any
 
-from derive.cache import Cache
+from derive.cache import Cache, reading_once
 from derive.stages import Task
 
 Progress = Callable[[int, int, str], None]
@@ -34,7 +34,8 @@ class Runner:
 
     def results(self, tasks: Sequence[Task], prepare: Callable[[], Any] | None = None) -> list[Any]:
         """The results of all tasks, in their order. prepare runs once before the first process starts."""
-        keys = [task.key for task in tasks]
+        with reading_once():
+            keys = [task.key for task in tasks]
         found: dict[str, Any] = {key: self.cache.get(key) for key in keys}
         missing = {key: task for key, task in zip(keys, tasks, strict=True) if found[key] is None}
         if missing:

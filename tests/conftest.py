@@ -42,9 +42,21 @@ def theory() -> Theory:
     return stages.theory()
 
 
+@pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Long tests come first, so that no process is left alone with one of them at the end."""
-    items.sort(key=lambda item: item.get_closest_marker("long") is None)
+    """Long tests come first, so that no process is left alone with one of them at the end.
+
+    Each process is handed the next part of the list, and takes over from the end of another's when its own is done: so
+    the long tests are dealt out, and every part begins with its share of them.
+    """
+    hands = int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", "1"))
+    long = [item for item in items if item.get_closest_marker("long")]
+    short = [item for item in items if not item.get_closest_marker("long")]
+    ordered: list[pytest.Item] = []
+    for hand in range(hands):
+        share, size = long[hand::hands], (len(items) - len(ordered)) // (hands - hand)
+        ordered += share + [short.pop(0) for _ in range(min(len(short), size - len(share)))]
+    items[:] = ordered + short
 
 
 @pytest.fixture(scope="session")

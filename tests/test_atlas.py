@@ -210,6 +210,13 @@ def test_tables_name_failures_and_rods_beyond_the_bound() -> None:
     assert lines[-2].startswith("- tiny: y errs by 1e+02 bounds; wrong number: 1; wrong number: 2 at beta=")
 
 
+def test_peers_that_are_not_installed_are_left_out_and_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("derive.measure.packages.find_spec", lambda name: None)
+    found = measure_point(TINY, 0, 0, 1)
+    assert [one["solver"] for one in found["solvers"]] == [OURS]
+    assert atlas.document([found])[-1].startswith("- left out, for scipy cannot be imported: ellipj, invariants, solve")
+
+
 def test_pictures_show_failures() -> None:
     pytest.importorskip("matplotlib")
     from derive.diagrams.atlas_picture import pictures

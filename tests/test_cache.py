@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from derive.cache import Cache, digest, folder, write_atomically
+from derive.cache import Cache, digest, folder, reading_once, write_atomically
 
 
 @pytest.fixture
@@ -81,6 +81,18 @@ def test_compiled_files_do_not_count(sources: Path) -> None:
     (sources / "__pycache__").mkdir()
     (sources / "__pycache__" / "one.py").write_text("")
     assert digest("stage", [sources]) == before
+
+
+def test_sources_are_read_once_where_that_is_said(sources: Path) -> None:
+    before = digest("stage", [sources], 1)
+    with reading_once():
+        assert digest("stage", [sources], 1) == before
+        (sources / "one.py").write_text("x = 3\n")
+        assert digest("stage", [sources], 1) == before  # of the moment when they were read
+        assert digest("stage", [sources], 2) != before
+    assert digest("stage", [sources], 1) != before
+    with reading_once():
+        assert digest("stage", [sources], 1) != before
 
 
 def test_the_folder_follows_the_environment(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

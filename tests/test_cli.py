@@ -42,6 +42,7 @@ def run(*arguments: str, cwd: Path = ROOT, **environment: str) -> subprocess.Com
         (["check", "--only", "exsl99"], "no formula 'exsl99'"),
         (["check", "--paper", "nowhere.tex"], "nowhere.tex: cannot be read"),
         (["check", "--paper", str(ROOT / "pyproject.toml")], "no 'equation' environment"),
+        (["measure", "--out", str(ROOT / "pyproject.toml")], "is no folder; choose another folder with --out"),
         (["all", "--jobs", "-1"], "--jobs must be at least 1"),
         (["all", "--out", str(ROOT / "pyproject.toml")], "is no folder; choose another folder with --out"),
         (["emit", "--out", str(ROOT / "pyproject.toml" / "below")], "is no folder; choose another folder with --out"),
@@ -89,15 +90,29 @@ def test_a_bad_constant_names_its_line(
     assert sorted(path.name for path in tmp_path.iterdir()) == ["mine.toml"]
 
 
-@pytest.mark.parametrize("arguments", [["bogus"], ["check", "--bogus"], ["solve", "--bogus"]])
-def test_usage_errors_exit_with_2(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["bogus"], "derive: argument COMMAND: invalid choice: 'bogus'"),
+        (["check", "--bogus"], "derive check: '--bogus' is nothing that it knows; 'derive check --help'"),
+        (["solve", "--max-index", "x"], "derive solve: argument --max-index: invalid int value: 'x'; 'derive solve"),
+        (["sweep"], "derive sweep: the following arguments are required: SCENE; 'derive sweep --help'"),
+    ],
+    ids=lambda value: "-".join(value) if isinstance(value, list) else "",
+)
+def test_usage_errors_are_one_line_too(arguments: list[str], words: str, capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit) as caught:
         main(arguments)
     assert caught.value.code == 2
-    assert "usage:" in capsys.readouterr().err
+    err = capsys.readouterr().err
+    assert err.startswith(words)
+    assert err.count("\n") == 1
 
 
-@pytest.mark.parametrize("command", [[], ["all"], ["check"], ["emit"], ["explain"], ["solve"]])
+@pytest.mark.parametrize(
+    "command",
+    [[], ["all"], ["check"], ["emit"], ["explain"], ["solve"], ["measure"], ["sweep"], ["figures"], ["report"]],
+)
 def test_every_command_has_help(command: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit) as caught:
         main([*command, "--help"])

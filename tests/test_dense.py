@@ -188,8 +188,8 @@ def test_a_series_that_does_not_end_is_refused():
     """Bins so wide that the terms grow: the error bound must see it."""
     equilibrium = bent(*RODS["oblique"])[0]
     state, _ = expansion.states(equilibrium, 0.5, 20, True)
-    assert expansion.complete_series(equilibrium.rod, state, 0.25) is not None
-    assert expansion.complete_series(equilibrium.rod, state, 0.98) is None
+    assert expansion.complete_series(equilibrium.rod, 0.0, state, 0.25) is not None
+    assert expansion.complete_series(equilibrium.rod, 0.0, state, 0.98) is None
 
 
 def test_cells_that_are_too_wide_are_refused():

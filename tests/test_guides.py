@@ -10,8 +10,9 @@ from pathlib import Path
 import pytest
 from pages import ROOT, Reader, blocks, calls
 
-from derive.cli import main, parser
+from derive.cli import main
 from derive.emit.backends import BACKENDS
+from derive.options import parser
 
 PAGES = [ROOT / "README.md", *(ROOT / "docs" / f"{name}.md" for name in ("sweep", "extending", "tutorial"))]
 

@@ -24,6 +24,7 @@ RANK = {
     "stages": 7,
     "output": 7,
     "numbers": 4,
+    "options": 4,
     "grounds": 7,
     "pdf": 8,
     "runner": 8,

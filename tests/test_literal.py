@@ -51,16 +51,24 @@ def emitted(case: str, backend: str, outputs: str = '["literal"]') -> Any:
     return emit_module(theory(), scene, backend)
 
 
+# With the solver beside it, where a test asks for its equilibria.
+OUTPUTS = {(case, "numpy"): '["equilibria", "shape", "literal"]' for case in SOLVED}
+OUTPUTS |= {(case, "mpmath"): '["equilibria", "literal"]' for case in ("parallel", "force_only")}
+
+
+class Modules(dict[tuple[str, str], Any]):
+    """Emitted modules by case and backend, proved; each is made when it is first asked for."""
+
+    def __missing__(self, key: tuple[str, str]) -> Any:
+        module = emitted(*key, OUTPUTS.get(key, '["literal"]'))
+        assert any(proof.formula.startswith("article_y") for proof in prove_module(module))
+        self[key] = load(module.text)
+        return self[key]
+
+
 @pytest.fixture(scope="module")
-def modules() -> dict[tuple[str, str], Any]:
-    """Emitted modules by case and backend, proved; with the solver beside it where there is one."""
-    found = {}
-    for case in FIELD_ANGLES:
-        for backend in ("numpy", "mpmath"):
-            module = emitted(case, backend, '["equilibria", "shape", "literal"]' if case in SOLVED else '["literal"]')
-            assert any(proof.formula.startswith("article_y") for proof in prove_module(module))
-            found[case, backend] = load(module.text)
-    return found
+def modules() -> Modules:
+    return Modules()
 
 
 def loads(case: str, beta: Any, eta: Any) -> tuple[Any, Any]:

@@ -286,8 +286,8 @@ def test_a_package_that_runs_apart() -> None:
 
 
 def test_what_is_missing_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("derive.measure.bench.cells.find_spec", lambda name: None)
-    lines = precision.left_out()
+    monkeypatch.setattr("derive.measure.packages.find_spec", lambda name: None)
+    lines = precision.missing()
     assert any("scipy cannot be imported: solve_bvp, shooting" in line for line in lines)
     plan = Plan(Cache(), quick=True, only=("T6",))
     keys = [job.key for job in precision.jobs(plan)]
@@ -320,26 +320,56 @@ def test_the_readme_s_table_is_written_from_a_full_run(tmp_path: Path, monkeypat
         for problem, method, setting in tables.README_ROWS
     ]
     source, readme, guide = tmp_path / "measure.json", tmp_path / "README.md", tmp_path / "measure.md"
-    guide.write_text("before\n<!-- ratios -->\n<!-- end ratios -->\n", encoding="utf-8")
+    extremes = tmp_path / "extremes.md"
+    for page, names in ((guide, ("ratios", "growth")), (extremes, ("atlas", "stability"))):
+        page.write_text("".join(f"<!-- {name} -->\n<!-- end {name} -->\n" for name in names), encoding="utf-8")
     readme.write_text("before\n<!-- measure -->\nold\n<!-- end measure -->\nafter\n", encoding="utf-8")
-    found = {"about": {"mode": "full"}, "records": {"tasks": records}, "failed": {}}
+    families = {"tasks": records, "growth": grown_records(), "atlas": [a_point()], "stability": [a_search()]}
+    found = {"about": {"mode": "full"}, "records": families, "failed": {}}
     source.write_text(json.dumps(found), encoding="utf-8")
     (tmp_path / "T1.svg").write_text("<svg/>", encoding="utf-8")
-    assert script.main(source, readme, guide) == ""
+    assert script.main(source, readme, tmp_path) == ""
     assert (tmp_path / "measure-T1.svg").read_text(encoding="utf-8") == "<svg/>"
     assert all((ROOT / "docs" / name).exists() for name in script.PICTURES.values())
     text = readme.read_text(encoding="utf-8")
     assert text.count("\n| ") == 1 + len(records)
+    assert "| 1 |\n" in text  # ours over ours
     assert "| solve_bvp, tol 1e-8 |" in guide.read_text(encoding="utf-8")
+    assert "| points^2.00 |" in guide.read_text(encoding="utf-8")
+    assert "| tiny | scipy.special.ellipj | 1 |" in extremes.read_text(encoding="utf-8")
+    assert "| `half_rest` | 5 | 2 | 3 | 0.5 | beta=1.0" in extremes.read_text(encoding="utf-8")
     assert text.startswith("before\n")
     assert "old" not in text
-    source.write_text(json.dumps(found | {"records": {"tasks": records[1:]}}), encoding="utf-8")
-    assert "lacks T1/emitted, NumPy" in script.main(source, readme, guide)
+    source.write_text(json.dumps(found | {"records": families | {"tasks": records[1:], "atlas": []}}), encoding="utf-8")
+    assert "lacks T1/emitted, NumPy/parallel, stable, atlas; run" in script.main(source, readme, tmp_path)
     guide.write_text("no markers\n", encoding="utf-8")
     source.write_text(json.dumps(found), encoding="utf-8")
-    assert "measure.md: has no lines <!-- ratios -->" in script.main(source, readme, guide)
+    assert "measure.md: has no lines <!-- ratios -->" in script.main(source, readme, tmp_path)
     source.write_text("no JSON", encoding="utf-8")
-    assert "no result of `derive measure`" in script.main(source, readme, guide)
+    assert "no result of `derive measure`" in script.main(source, readme, tmp_path)
+
+
+def a_point() -> dict[str, Any]:
+    """A rod of a map, as the atlas keeps it."""
+    solver = {"solver": "ellipj", "bounds": 2.0, "ulps": 9.0, "quantity": "y", "failures": ["missed: one"]}
+    return {
+        "key": "atlas/tiny/0/0",
+        "map": "tiny",
+        "rod": vars(PAPER),
+        "solvers": [solver | {"solver": "ours"}, solver],
+    }
+
+
+def a_search() -> dict[str, Any]:
+    """A formula at its worst input, as the searches keep it."""
+    called = {"excess": 0.5, "loss": 2.0, "condition": 3.0, "arguments": [1.0]}
+    return {"name": "half_rest", "operations": 5, "rod": {**vars(PAPER), "beta": 1.0}, "called": called}
+
+
+def grown_records() -> list[dict[str, Any]]:
+    """A series of which time and memory grow as the square."""
+    about = {"series": "a shape", "variable": "points"}
+    return [{**about, "amount": n, "seconds": {"median": n * n}, "bytes": n * n} for n in (1, 2, 4)]
 
 
 @pytest.fixture(autouse=True)

@@ -11,11 +11,9 @@ from typing import Any
 import numpy as np
 
 from derive.diagrams.plotting import COLOURS, figure, library, saved, settings
-from derive.measure.atlas_points import OURS
-from derive.measure.atlas_stiff import ALL_PEERS
+from derive.measure.atlas_points import OURS, TITLES
 from derive.measure.bench.families import Record
 
-TITLES = {OURS: "ours", **{name: peer.title for name, peer in ALL_PEERS.items()}}
 LOWEST, HIGHEST = -1.0, 16.0  # powers of ten of the error in bounds
 SIGNS = (
     ("no value", "x", "no value"),

@@ -25,7 +25,7 @@ LEAST = 1e-300  # of 1 − m: the mean of 1 and 0 is none
 
 def by_ellipj(rod: Rod, tips: Array, sigma: Any) -> Array:
     """θ at lengths σ from the tip; tips and σ are broadcast. For field_angle = 0."""
-    from scipy.special import ellipj  # a peer: see `atlas_peers.scipy_there`
+    from scipy.special import ellipj
 
     turns = np.round(tips / (2 * np.pi))
     tip = tips - 2 * np.pi * turns

@@ -36,21 +36,16 @@ class PeerError(ValueError):
 
 @dataclass(frozen=True)
 class Peer:
-    """A solver: name, what it is, its tips (None if it takes ours), and the values of the rod of one of them."""
+    """A solver: name, what it is, its tips (None if it takes ours), and the values of the rod of one of them.
+
+    needs: packages by the names they are imported by, without which it is left out.
+    """
 
     name: str
     title: str
     tips: Callable[[Rod], list[float]] | None
     values: Callable[[Rod, Any], Mapping[str, float]]
-
-
-def scipy_there() -> None:
-    """ImportError in one line if SciPy is not installed."""
-    try:
-        import scipy.optimize
-        import scipy.special  # noqa: F401 - asked for only whether it is there
-    except ImportError as error:
-        raise ImportError("the atlas's peers need SciPy: pip install 'magnetic-rods[bench]'") from error
+    needs: tuple[str, ...] = ()
 
 
 def candidates(rod: Rod) -> Array:
@@ -137,6 +132,11 @@ def literal_values(rod: Rod, equilibrium: Any) -> Mapping[str, float]:
     places = np.array([*FRACTIONS, 1.0]) * rod.length
     with np.errstate(all="ignore"):
         theta, _, y, z = angle_and_position_literally(equilibrium, places)
+    return named(theta, y, z)
+
+
+def named(theta: Any, y: Any, z: Any) -> dict[str, float]:
+    """Values at FRACTIONS and then at the tip, by name."""
     found = {"tip_angle": float(theta[-1]), "y": float(y[-1]), "z": float(z[-1])}
     for k, fraction in enumerate(FRACTIONS):
         found |= {f"theta({fraction}ℓ)": float(theta[k]), f"y({fraction}ℓ)": float(y[k])}
@@ -148,7 +148,7 @@ PEERS = {
     peer.name: peer
     for peer in (
         Peer("literal", "the article's literal formulas", None, literal_values),
-        Peer("ellipj", "scipy.special.ellipj", tips_by(by_ellipj), values_by(by_ellipj)),
-        Peer("invariants", "℘ by g₂ and g₃", tips_by(by_invariants), values_by(by_invariants)),
+        Peer("ellipj", "scipy.special.ellipj", tips_by(by_ellipj), values_by(by_ellipj), ("scipy",)),
+        Peer("invariants", "℘ by g₂ and g₃", tips_by(by_invariants), values_by(by_invariants), ("scipy",)),
     )
 }

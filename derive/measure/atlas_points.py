@@ -25,9 +25,11 @@ from derive.measure.atlas_stiff import ALL_PEERS
 from derive.measure.counts import STIFFEST, count
 from derive.measure.hard import SIZES, ULP, reference, same, wrong_in_kind
 from derive.measure.long_rods import Refined
+from derive.measure.packages import absent
 from derive.measure.reference import DIGITS, Rod
 
 OURS = "ours"
+TITLES = {OURS: "ours", **{name: peer.title for name, peer in ALL_PEERS.items()}}
 # A peer whose error is so many bounds has lost half of the digits.
 HALF = 2.0**26
 # Two equilibria are one tip to a peer if they are nearer than this.
@@ -93,6 +95,8 @@ def measure_point(chart: Map, row: int, column: int, most: int) -> dict[str, Any
     known, tips = our_module(ours, module, rod, chart, most)
     records = [ours]
     for name in chart.peers:
+        if absent(ALL_PEERS[name]):
+            continue
         record = Record(name)
         began = time.perf_counter()
         try:

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from derive.measure.atlas_peers import PEERS, Peer, PeerError
+from derive.measure.atlas_peers import PEERS, Peer, PeerError, named
 from derive.measure.reference import FRACTIONS, Rod
 
 TOLERANCE = 1e-8
@@ -110,17 +110,8 @@ def shooting(rod: Rod, _: Any) -> Mapping[str, float]:
     return named(theta[1:], y[1:], z[1:])
 
 
-def named(theta: Any, y: Any, z: Any) -> dict[str, float]:
-    """Values at FRACTIONS and at the tip, by name."""
-    found = {"tip_angle": float(theta[-1]), "y": float(y[-1]), "z": float(z[-1])}
-    for k, fraction in enumerate(FRACTIONS):
-        found |= {f"theta({fraction}ℓ)": float(theta[k]), f"y({fraction}ℓ)": float(y[k])}
-        found |= {f"z({fraction}ℓ)": float(z[k])}
-    return found
-
-
 STIFF_PEERS = {
-    "solve_bvp": Peer("solve_bvp", f"solve_bvp, tolerance {TOLERANCE:.0e}", None, bvp),
-    "Radau": Peer("Radau", f"shooting by Radau, {SHOT_TOLERANCE:.0e}", None, shooting),
+    "solve_bvp": Peer("solve_bvp", f"solve_bvp, tolerance {TOLERANCE:.0e}", None, bvp, ("scipy",)),
+    "Radau": Peer("Radau", f"shooting by Radau, {SHOT_TOLERANCE:.0e}", None, shooting, ("scipy",)),
 }
 ALL_PEERS = {**PEERS, **STIFF_PEERS}

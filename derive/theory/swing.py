@@ -3,9 +3,10 @@
 They start from the half-angle quartic of ``oblique`` and need no load case. The scripts: ``swing_levels`` (θ″ and the
 potential V), ``swing_rest`` (the directions of equilibrium), ``swing_shots`` (bounds for every tip), ``swing_turns``
 (two turning points), ``swing_rates`` (the length as a Legendre integral), ``swing_phase`` (its phase, and Gauss's
-step), ``swing_before`` (the phase a length before a known one), ``swing_points`` (℘ at the tip), ``swing_place`` and
-``swing_angle`` (the same and θ by the phase), ``swing_along`` (integrals as claims), ``swing_arcs`` (the position),
-``swing_square`` and ``swing_energy`` (∫η cos²(θ − α), by R_D and by the phase).
+step), ``swing_second`` (an integral of the second kind by that step), ``swing_before`` (the phase a length before a
+known one), ``swing_points`` (℘ at the tip), ``swing_place`` and ``swing_angle`` (the same and θ by the phase),
+``swing_along`` (integrals as claims), ``swing_arcs`` (the position), ``swing_square`` and ``swing_energy``
+(∫η cos²(θ − α), by R_D and by the phase).
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ from .swing_place import write_place
 from .swing_points import Points, write_points
 from .swing_rates import write_rates
 from .swing_rest import write_rest
+from .swing_second import write_second_kind
 from .swing_shots import write_shots
 from .swing_square import write_square
 from .swing_turns import Turns, write_turns
@@ -62,6 +64,7 @@ def derive(plane: Plane, oblique: Oblique, book: Notebook) -> Swing | None:
     turns = write_turns(levels, writer)
     write_rates(writer)
     write_phase(writer)
+    write_second_kind(writer)
     write_before(writer)
     book.say("Any angle of the field. Points of the motion by ℘ at the tip")
     points = write_points(levels, turns, oblique.half, writer)

@@ -2,8 +2,8 @@
 
 As in ``swing_square`` the derivative of x_σ/(x − ib) leaves ∫X₁ besides y. By the phase that is
 −Δ cot ψ − (b² − a²)∫sin²ψ − a²σ, up to what makes it finite at the tip. So the form holds up to the far turning
-point. The length is τ = sin ψ cos ψ/Δ and what it exceeds that by. Near the tip Δ cot ψ and √X₁ are large and cancel, and
-what they leave cancels τ; there a second form takes all of it by τ/x, so that every part is small as σ³.
+point. The length is τ = sin ψ cos ψ/Δ and what it exceeds that by. Near the tip Δ cot ψ and √X₁ are large and cancel,
+and what they leave cancels τ; there a second form takes all of it by τ/x, so that every part is small as σ³.
 """
 
 from __future__ import annotations

@@ -28,7 +28,6 @@ from .swing_names import (
     uneven,
 )
 from .swing_rates import tangent
-from .tip_names import arc
 
 first, second = symbols("first second", real=True)  # the rates at the beginning and at the end: a and b
 end, middle_rate = symbols("end middle", real=True)  # h and g
@@ -41,9 +40,6 @@ total = Symbol("total", real=True)  # a + b
 below = Symbol("below", real=True)  # a + Δ; where the step is undone 2a(a + b)/(a + Δ)
 step_gap = Symbol("gap", real=True)  # a − b
 across = Symbol("across", real=True)  # sin ψ cos ψ
-share = Symbol("share", real=True)  # (a − b)/(a + b)
-first_share, second_share = symbols("first_share second_share", real=True)  # 2a/(a + b) and 2b/(a + b)
-bend = Symbol("bend", real=True)  # what a step makes of sin ψ cos ψ/Δ
 whole = Symbol("whole", real=True)  # √P′ sin(δ/2) + √P sin(D − δ/2)
 PHASE = Domain({first: (0, oo), second: (0, oo), square: (0, 1)})
 MOTION = Domain({near: (0, oo), far: (0, oo), half_width: (0, 3), done: (0, 2 * half_width)})
@@ -69,7 +65,6 @@ def write_phase(writer: Writer) -> Phase:
     _write_half(writer)
     step = _write_gauss(writer)
     _write_back(step, writer)
-    _write_second_kind(writer)
     return step
 
 
@@ -247,74 +242,6 @@ def _write_gauss(writer: Writer) -> Phase:
         source="DLMF 22.4(iii)",
     )
     return Phase(delta_there, new_square.subs(sums), new_rest.subs(sums))
-
-
-def _write_second_kind(writer: Writer) -> None:
-    """∫sin²ψ dσ, and by how much the length exceeds sin ψ cos ψ/Δ, by the same after Gauss's step.
-
-    ``square``, ``rest``, ``across`` and ``delta`` are those after the step, k = share = (a − b)/(a + b). Both are small
-    as σ³, and so is every term of theirs: near the tip nothing cancels.
-    """
-    a, b = first, second
-    mean, geometric = (a + b) / 2, sqrt(a * b)
-    root, crossed = rate(mean, geometric, square), sqrt(square) * sqrt(1 - square)
-    here = {share: (a - b) / (a + b), first_share: 2 * a / (a + b), second_share: 2 * b / (a + b), rest: 1 - square}
-    here |= {across: crossed, delta: root}
-    # The step undone: sin²ψ before it, and a + Δ.
-    over = a + b + (a - b) * square
-    before, total_there = 4 * a**2 * square / over**2, 2 * a * (a + b) / over
-    added = writer.add(
-        "phase_bend",
-        (share, first_share, square, rest, across, delta),
-        share * square * across / (delta * (first_share * square + rest)),
-        "kS′τ′/(1 + kS′) after Gauss's step, by k = (a − b)/(a + b) and 1 + k, τ = sin ψ cos ψ/Δ: "
-        "2 sin ψ cos ψ/(a + Δ) is τ′ less 1 + k of them",
-        lambda value: Equal(
-            ((across / delta - first_share * value).subs(here)) ** 2, 4 * before * (1 - before) / total_there**2
-        ),
-        PHASE,
-        steps=("back_below", "back_square"),
-        source="DLMF 19.8(iii)",
-    )
-    writer.add(
-        "lag_step",
-        (bend, share, second_share, square, rest),
-        bend * share * rest / (second_share * square + rest),
-        "τ′ − τ for τ = sin ψ cos ψ/Δ, τ′ the same after Gauss's step, by ``phase_bend``, k and 1 − k",
-        lambda value: Equal(
-            (across / delta - value.subs(bend, added)).subs(here) ** 2,
-            before * (1 - before) / (total_there - a) ** 2,
-        ),
-        PHASE,
-        steps=("phase_bend",),
-        source="DLMF 19.8(iii)",
-    )
-
-    def along(value: Expr) -> Expr:
-        # dS′/dσ = 2 sin ψ′ cos ψ′ Δ′.
-        return diff(value, square) * 2 * crossed * root
-
-    lost = (first_share * added - across / delta).subs(here)
-    falls = Equal(2 * before, here[share] * square + 1 + along(lost))
-    title = "2∫sin²ψ is k∫sin²ψ′, σ − τ′ and (1 + k)kS′τ′/(1 + kS′)"
-    steps = ("gauss_square", "gauss_rest", "phase_bend", "back_square")
-    writer.claim("second_kind_step", title, falls, PHASE, steps=steps, source="DLMF 19.8.19")
-    start = Equal(added.subs({square: 0}), 0)
-    writer.claim("second_kind_tip", "the terms are zero at the tip", start, PHASE, steps=("second_kind_step",))
-    even = (crossed / a).subs(b, a)
-    equal = Equal(2 * square, 1 - diff(even, square) * 2 * crossed * a)
-    title, steps = "where a = b, 2∫sin²ψ is σ − τ, and 2aσ − sin 2aσ is 2a times that", ("phase_rate",)
-    writer.claim("second_kind_end", title, equal, PHASE, steps=steps, source="DLMF 19.2.4")
-    writer.add(
-        "gauss_gap",
-        (step_gap, total),
-        step_gap**2 / (4 * total),
-        "a′ − b′ after Gauss's step, by gap = a − b and total = a′ + b′",
-        lambda value: Equal(value.subs({step_gap: a - b, total: mean + geometric}), mean - geometric),
-        PHASE,
-        steps=("gauss_square",),
-        source="DLMF 19.8(i)",
-    )
 
 
 def _write_back(step: Phase, writer: Writer) -> None:

@@ -168,8 +168,10 @@ def kink_at(motion, first, second, point, root, q, m, square, rest):
     both = others_product(b, m, root, others)
     lift = pair_lift(sqrt(motion.near), sqrt(motion.far), motion.uneven, motion.half_cosine, square, rest)
     far = arc_kink(first, square, delta, across, b, x, root, sqrt(point.one), product)
-    by_lift = lift > 0.15  # a small one is as good as nothing to divide by
-    return pick(by_lift, arc_kink_tip(first, delta, across, b, x, root, others, both, pick(by_lift, lift, 1)), far)
+    # Beyond the middle the lift may be as good as nothing to divide by, and the square of the pole, too.
+    towards_tip = lift > 0.15
+    lift, there = pick(towards_tip, lift, 1), pick(towards_tip, x, 1)
+    return pick(towards_tip, arc_kink_tip(first, delta, across, b, there, root, others, both, lift), far)
 
 
 def rj_pair(x, product, root_sum, p, lift, less, twist):
@@ -179,26 +181,31 @@ def rj_pair(x, product, root_sum, p, lift, less, twist):
     positive terms only in x, y, z. Where √p and −√y are near each other, their sum follows from their difference.
     """
     pair = root_sum * root_sum - 2 * product
-    mean = start = (x + pair + 2 * p) / 5
+    fivefold = x + pair + (p + p)
+    start = fivefold / 5
     one, two = start - x, 2 * start - pair
     both = start * start - start * pair + product * product
-    reach = abs(one) + abs(start - p) + sqrt(abs(both))
+    reach = 5 * (abs(one) + abs(start - p) + sqrt(abs(both)))
     target = (epsilon() / 4) ** 0.125
     scale, total = 1, 0
-    while any_of(reach > target * scale * abs(mean)):
+    while any_of(reach > target * scale * abs(fivefold)):
         root, root_p = sqrt(x), complex_sqrt(p)
         side, across = root_p * root_sum, root * root_sum
-        plus, minus = lift + side, lift - side
-        cancels = (abs(plus) < abs(minus)) & (scale == 1)
-        d = (root_p + root) * pick(cancels, twist / (less * pick(cancels, minus, 1)), plus)
+        plus = lift + side
+        if scale == 1:
+            minus = lift - side
+            cancels = abs(plus) < abs(minus)
+            plus = pick(cancels, twist / (less * pick(cancels, minus, 1)), plus)
+        d = (root_p + root) * plus
         raised, lifted = lift + across, sqrt(x + product + across)
-        end = 2 * root_p * raised / d
+        end = (root_p + root_p) * raised / d
         total = total + arctan_share(twist / (scale * scale * scale * d * d), end) / (scale * d)
         pair = root_sum * (root_sum + 2 * root) / 4
-        x, p = (x + product + across) / 4, raised / 4
+        x, p = (x + product + across) / 4, raised * 0.25  # a quotient of complex numbers takes longer
         product, root_sum = root_sum * lifted / 4, sqrt(root_sum * (root_sum + 2 * root + 2 * lifted)) / 2
-        lift, mean = p + product, (x + pair + 2 * p) / 5
+        lift, fivefold = p + product, x + pair + (p + p)
         scale *= 4
+    mean = fivefold / 5
     size = scale * mean
     a, b, c = one / size, two / size, both / (size * size)
     d = -(a + b) / 2

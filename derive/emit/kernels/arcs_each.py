@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/arcs.py: do not edit, change that file.
 
-Digest of the inputs: sha256 8486df0dc5253d3de4164f6d8fc10a14de0d1fb388c250d811096dde0214f510
+Digest of the inputs: sha256 fc115f21459ad9e2de1366f6da6240246fd7514d19279dbbfaebf94fe3a4ff6e
 """
 
 from __future__ import annotations
@@ -143,10 +143,10 @@ def kink_at_each(motion, first, second, point, root, q, m, square, rest):
         each_sqrt(motion.near), each_sqrt(motion.far), motion.uneven, motion.half_cosine, square, rest
     )
     far = arc_kink_each(first, square, delta, across, b, x, root, each_sqrt(point.one), product)
-    by_lift = lift > 0.15  # a small one is as good as nothing to divide by
-    return each_pick(
-        by_lift, arc_kink_tip_each(first, delta, across, b, x, root, others, both, each_pick(by_lift, lift, 1)), far
-    )
+    # Beyond the middle the lift may be as good as nothing to divide by, and the square of the pole, too.
+    towards_tip = lift > 0.15
+    lift, there = each_pick(towards_tip, lift, 1), each_pick(towards_tip, x, 1)
+    return each_pick(towards_tip, arc_kink_tip_each(first, delta, across, b, there, root, others, both, lift), far)
 
 
 def rj_pair_each(x, product, root_sum, p, lift, less, twist):
@@ -156,26 +156,31 @@ def rj_pair_each(x, product, root_sum, p, lift, less, twist):
     positive terms only in x, y, z. Where √p and −√y are near each other, their sum follows from their difference.
     """
     pair = root_sum * root_sum - 2 * product
-    mean = start = (x + pair + 2 * p) / 5
+    fivefold = x + pair + (p + p)
+    start = fivefold / 5
     one, two = start - x, 2 * start - pair
     both = start * start - start * pair + product * product
-    reach = each_abs(one) + each_abs(start - p) + each_sqrt(each_abs(both))
+    reach = 5 * (each_abs(one) + each_abs(start - p) + each_sqrt(each_abs(both)))
     target = (epsilon() / 4) ** 0.125
     scale, total = 1, 0
-    while any_of(reach > target * scale * each_abs(mean)):
+    while any_of(reach > target * scale * each_abs(fivefold)):
         root, root_p = each_sqrt(x), each_complex_sqrt(p)
         side, across = root_p * root_sum, root * root_sum
-        plus, minus = lift + side, lift - side
-        cancels = (each_abs(plus) < each_abs(minus)) & (scale == 1)
-        d = (root_p + root) * each_pick(cancels, twist / (less * each_pick(cancels, minus, 1)), plus)
+        plus = lift + side
+        if scale == 1:
+            minus = lift - side
+            cancels = each_abs(plus) < each_abs(minus)
+            plus = each_pick(cancels, twist / (less * each_pick(cancels, minus, 1)), plus)
+        d = (root_p + root) * plus
         raised, lifted = (lift + across, each_sqrt(x + product + across))
-        end = 2 * root_p * raised / d
+        end = (root_p + root_p) * raised / d
         total = total + each_arctan_share(twist / (scale * scale * scale * d * d), end) / (scale * d)
         pair = root_sum * (root_sum + 2 * root) / 4
-        x, p = (x + product + across) / 4, raised / 4
+        x, p = (x + product + across) / 4, raised * 0.25  # a quotient of complex numbers takes longer
         product, root_sum = root_sum * lifted / 4, each_sqrt(root_sum * (root_sum + 2 * root + 2 * lifted)) / 2
-        lift, mean = p + product, (x + pair + 2 * p) / 5
+        lift, fivefold = p + product, x + pair + (p + p)
         scale *= 4
+    mean = fivefold / 5
     size = scale * mean
     a, b, c = one / size, two / size, both / (size * size)
     d = -(a + b) / 2

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from numpy import broadcast_to, concatenate, flatnonzero, ndarray
 
+AT_ONCE = 2048  # rows at once where there are many arrays: they stay in the cache, and in memory that is there already
+
 
 def slab(grid, which, values):
     """Some of a parameter's values, by a slice of their flat numbers in the grid; what is folded stays as it is."""

@@ -8,7 +8,7 @@ from numpy import abs, arange, bincount, flatnonzero, full, maximum, minimum, na
 
 from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import each_atan2, each_sqrt
-from derive.emit.kernels.block_records import put_rows, rounded_to, rows
+from derive.emit.kernels.block_records import AT_ONCE, joined, put_rows, rounded_to, rows
 from derive.emit.kernels.motion_each import motion_at_each
 from derive.emit.kernels.swing_each import lengths_each, phase_of_each
 
@@ -79,12 +79,26 @@ def surplus(swing, arrival, turns, sign, length):
     return 2 * turns * swing + sign * arrival - length
 
 
-def approached(function, left, right, value_left, value_right, steps, spread, again=0):
+def approached(function, given, left, right, value_left, value_right, steps, spread, again=0):
     """Approximate zeros by Chandrupatla's method (1997): places, and the slopes there.
 
-    function(places, which): the values, of those rows. spread: the distance of two places from which they tell a slope.
-    again: how often those that still move go through as many steps alone.
+    function(given, places): the values, of the rows of a record. spread: the distance of two places from which they
+    tell a slope. again: how often those that still move go through as many steps alone.
     """
+    parts = [(zeros(0, left.dtype), zeros(0, left.dtype))]
+    for start in range(0, left.size, AT_ONCE):
+        some, *ends = rows((given, left, right, value_left, value_right), slice(start, start + AT_ONCE))
+        place, slope, move, ends = nearer(function, some, *ends, steps, spread)
+        far = flatnonzero(abs(move) > MOVING) if again else zeros(0, dtype=int)
+        if far.size:
+            some, *ends = rows((some, *ends), far)
+            place[far], slope[far] = approached(function, some, *ends, steps, spread, again - 1)
+        parts.append((place, slope))
+    return joined(parts)
+
+
+def nearer(function, given, left, right, value_left, value_right, steps, spread):
+    """``approached`` after some steps: places, slopes, the last move, and the new ends."""
     a, b, value_a, value_b = left, right, value_left, value_right
     slope = (value_a - value_b) / (a - b)
     fraction = full(a.shape, 0.5, dtype=a.dtype)
@@ -93,7 +107,7 @@ def approached(function, left, right, value_left, value_right, steps, spread, ag
     fraction[inside] = secant[inside]
     for _ in range(steps):
         trial = a + fraction * (b - a)
-        value = function(trial, slice(None))
+        value = function(given, trial)
         same = (value > 0) == (value_a > 0)
         c, value_c = where(same, a, b), where(same, value_a, value_b)
         b, value_b = where(same, b, a), where(same, value_b, value_a)
@@ -104,14 +118,7 @@ def approached(function, left, right, value_left, value_right, steps, spread, ag
     # No half way at last: the latest place may be the zero itself.
     step = minimum(maximum(value_a / (slope * (a - b)), 0), 1)
     move = where(safe, fraction, where(value_a == 0, 0, step)) * (b - a)
-    place = a + move
-    far = flatnonzero(abs(move) > MOVING) if again else zeros(0, dtype=int)
-    if far.size:
-        ends = a[far], b[far], value_a[far], value_b[far]
-        place[far], slope[far] = approached(
-            lambda trial, which: function(trial, far[which]), *ends, steps, spread, again - 1
-        )
-    return place, slope
+    return a + move, slope, move, (a, b, value_a, value_b)
 
 
 def inverse_quadratic(a, b, c, value_a, value_b, value_c):
@@ -126,15 +133,17 @@ def inverse_quadratic(a, b, c, value_a, value_b, value_c):
 
 def roughly_at(group, brackets, kind):
     """Rough crossings of a group with a row for each: places, and the slope of the branch there."""
-    turns, sign, some = brackets.turns.astype(kind), brackets.sign.astype(kind), rounded_to(group, kind)
-
-    def value(trial, which):
-        swing, arrival = rough_times(some.rods, some.piece, trial)
-        return surplus(swing, arrival, turns, sign, some.rods.length)
-
+    given = rounded_to(group, kind), brackets.turns.astype(kind), brackets.sign.astype(kind)
     ends = brackets.left, brackets.right, brackets.value_left, brackets.value_right
-    place, slope = approached(value, *ends, STEPS, SPREAD)
+    place, slope = approached(rough_surplus, given, *ends, STEPS, SPREAD)
     return place.astype(float), slope.astype(float)
+
+
+def rough_surplus(given, place):
+    """The surplus of branches of a group at places."""
+    some, turns, sign = given
+    swing, arrival = rough_times(some.rods, some.piece, place)
+    return surplus(swing, arrival, turns, sign, some.rods.length)
 
 
 def polished(some, brackets, place, slope, secants, ease):

@@ -144,7 +144,7 @@ def shots_of(rods, size):
     which, left, right = spans.rod, spans.first, spans.first + spans.width
     some = rows(load, which)
     ends = left, right, spans.before, spans.after
-    share, slope = approached(lambda trial, row: miss(rows(some, row), trial), *ends, AIMS, AIM_SPREAD, AGAIN)
+    share, slope = approached(miss, some, *ends, AIMS, AIM_SPREAD, AGAIN)
     key = 2 * rods.case[which] + (share > 0)
     order = argsort(key, kind="stable")
     number = bincount(key, minlength=2 * size)

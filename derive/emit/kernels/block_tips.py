@@ -15,7 +15,7 @@ from derive.emit.kernels.arcs_each import (
     sent_back_each,
 )
 from derive.emit.kernels.arithmetic import pi
-from derive.emit.kernels.block_records import rows
+from derive.emit.kernels.block_records import AT_ONCE, joined, rows
 from derive.emit.kernels.swing_each import phase_of_each
 
 
@@ -38,7 +38,7 @@ class Columns(NamedTuple):
 
 
 class Tips(NamedTuple):
-    """Tips that have been found: their rods, the rank of the range and the whole turns of the clamp, and the motions."""
+    """Tips that have been found: their rods, ranks of ranges, whole turns of the clamp, and motions."""
 
     rods: Any
     rank: Any
@@ -46,7 +46,6 @@ class Tips(NamedTuple):
     found: Any
 
 
-TIPS = 4096  # arcs at once: arrays that stay in the cache
 LAST = 100  # beyond the rank of any range
 
 
@@ -63,15 +62,18 @@ def index_each(found):
     return where(positive == (swings % 2 == 0), swings, swings + 1).astype(int)
 
 
-def bent_rods(tips, most):
-    """The equilibria of tips on their branches, a list of Columns."""
-    index = index_each(tips.found)
-    tips, index = rows((tips, index), index <= most)
+def bent_rods(known, most):
+    """The equilibria of tips on their branches, a list of Columns: those of short lists together."""
+    few = [tips for tips in known if 2 * tips.rank.size < AT_ONCE]
+    many = [tips for tips in known if 2 * tips.rank.size >= AT_ONCE]
     parts = []
-    for stretch, there in ((first_stretches, tips.found.sign > 0), (last_stretches, tips.found.sign < 0)):
-        some = rows((tips, index), there)
-        for start in range(0, some[1].size, TIPS):
-            parts.append(bent(*rows(some, slice(start, start + TIPS)), stretch))
+    for tips in [*many, joined(few)] if few else many:
+        index = index_each(tips.found)
+        some = rows((tips, index), index <= most)
+        for stretch, sign in ((first_stretches, 1), (last_stretches, -1)):
+            there = rows(some, some[0].found.sign == sign)
+            for start in range(0, there[1].size, AT_ONCE):
+                parts.append(bent(*rows(there, slice(start, start + AT_ONCE)), stretch))
     return parts
 
 
@@ -85,17 +87,17 @@ def bent(tips, index, stretch):
     speed = phase.delta * phase.whole / (motion.end * motion.sine) * sqrt(2 * motion.done_sine * motion.left_sine)
     gamma = 2 * beta * heading.cosine + eta * (1 + heading.double_cosine) / 2
     energy = -gamma * length / 2 - 2 * beta * y - square
-    scale, side = rods.scale, rods.side
+    unit, side = ldexp(1.0, rods.scale), rods.side
     return Columns(
         rods.case,
         side * (tips.rank - LAST),
         side * found.place,
         side * (motion.tip + 2 * pi * tips.turns),
-        -side * found.sign * ldexp(speed, scale),
-        ldexp(gamma, 2 * scale),
-        ldexp(length * heading.cosine + y, -scale),
-        side * ldexp(length * heading.sine + z, -scale),
-        ldexp(energy, scale),
+        -side * found.sign * speed * unit,
+        gamma * unit * unit,
+        (length * heading.cosine + y) / unit,
+        side * (length * heading.sine + z) / unit,
+        energy * unit,
         index,
     )
 

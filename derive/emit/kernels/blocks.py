@@ -43,9 +43,11 @@ SLOWEST = 250.0  # ℓ√(β + η) from which offsets would be too small for the
 def sweep_arrays(beta, eta, length, clamp_angle, field_angle, grid, max_index):
     """Every equilibrium of every rod, sorted by rod and then by tip angle; all arguments broadcast to ``grid``.
 
-    max_index: the largest index wanted, or None for all. The memory needed besides the result is that of one block.
+    max_index: the largest index wanted, or None for all. The memory needed besides the result is that of one block, or
+    of one column. Without ranks and places, which only put the tips of a block in order.
     """
-    number, parts = prod(grid), [no_columns()]
+    number, none = prod(grid), no_columns()
+    columns = [[column] for column in none]
     for start in range(0, number, BLOCK):
         which = slice(start, min(start + BLOCK, number))
         found = block(
@@ -57,8 +59,13 @@ def sweep_arrays(beta, eta, length, clamp_angle, field_angle, grid, max_index):
             which.stop - start,
             max_index,
         )
-        parts.append(found._replace(case=found.case + start))
-    return joined(parts)
+        found = found._replace(case=found.case + start, rank=none.rank, place=none.place)
+        for parts, column in zip(columns, found, strict=True):
+            parts.append(column)
+    whole = []
+    while columns:
+        whole.append(concatenate(columns.pop(0)))
+    return Columns(*whole)
 
 
 def block(beta, eta, length, clamp_angle, field_angle, size, max_index):
@@ -186,7 +193,5 @@ def on_arrays(rods, shots, most):
         tip, lost = tips(group, shots, most)
         left.append(group.rods.case[lost])
         known += [Tips(*rows((group.rods, group.rank, group.turns), some.range), some) for some in tip]
-    parts = [no_columns(), *(straight_rods(some, most) for some in straight)]
-    if known:
-        parts += bent_rods(joined(known), most)
+    parts = [no_columns(), *(straight_rods(some, most) for some in straight), *bent_rods(known, most)]
     return joined(parts), concatenate(left)

@@ -196,7 +196,7 @@ def bent_rod(rod, turns, piece, crossing, index):
         part = last_stretch(rod, heading, motion, swing - arrival)
         part = with_stays(rod, heading, part, basin, stay.middle - stay.arrival, stay.far)
     through = both if sign > 0 else both - 1
-    arc = Arc(*(float(through * a + b) for a, b in zip(whole, part, strict=True)))
+    arc = part if through == 0 else Arc(*(float(through * a + b) for a, b in zip(whole, part, strict=True)))
     speed = speed_at(motion, phase)
     gamma = 2 * beta * heading.cosine + eta * (1 + heading.double_cosine) / 2
     energy = -gamma * length / 2 - 2 * beta * arc.y - arc.square
@@ -244,6 +244,8 @@ def with_stays(rod, heading, arc, basin, middle, far):
 
     Those along the tip's direction change nothing.
     """
+    if middle == 0 and far == 0:
+        return arc
     y, z, square = arc
     for angle, extent in ((basin.axis.angle, middle), (basin.far.angle, far)):
         turned = rod.eta * (cos(2 * (angle - rod.field_angle)) - heading.double_cosine) / 2

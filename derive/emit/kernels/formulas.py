@@ -280,7 +280,7 @@ def back_move(first, gap, square, rest, below):
 
 
 def phase_bend(share, first_share, square, rest, across, delta):
-    """kS′τ′/(1 + kS′) after Gauss's step, by k = (a − b)/(a + b) and 1 + k, τ = sin ψ cos ψ/Δ: 2 sin ψ cos ψ/(a + Δ) is τ′ less 1 + k of them.
+    """kS′τ′/(1 + kS′) after Gauss's step, by k = (a − b)/(a + b) and 1 + k; τ = sin ψ cos ψ/Δ.
 
     Equation DLMF 19.8(iii); proved as swing.phase_bend.
     """

@@ -5,6 +5,7 @@ from __future__ import annotations
 from derive.emit.kernels.arithmetic import any_of, asin, cos, epsilon, larger, pi, pick, sin, spacing, sqrt
 from derive.emit.kernels.formulas import rest_fall, rest_moment
 from derive.emit.kernels.potential import fall_from_rest, moment_from_rest
+from derive.emit.kernels.rests import pick_rest
 
 
 def turn_to(start, end):
@@ -82,6 +83,20 @@ def onward(eta, rest, start, amount, rough, wanted, moment=0):
         if not any_of(wanted & (stuck == 0) & (abs(step) > spacing(distance) ** 0.6 * abs(distance))):
             break
     return distance
+
+
+def further(eta, rest, start, amount, rough, far, moment=0):
+    """How far beyond ``start`` V has risen by ``amount``: ``onward`` where the rough value is not told well enough."""
+    better = onward(eta, rest, start, -amount, rough, far == 0, moment)
+    # Newton's method leaves a place where V is nearly level for one far away.
+    return pick(far | (abs(better - rough) > 0.01), rough, better)
+
+
+def tip_fall(eta, piece, change, rise, drop):
+    """V(tip) − V(tip + change), for a tip that is told from the low and the high end of its range."""
+    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
+    upper = from_hill < depth
+    return fall(eta, pick_rest(upper, piece.basin.hill, piece.basin.well), pick(upper, from_hill, -depth), change)
 
 
 def ridge_fall(beta, eta, field_angle, hill, ridge):

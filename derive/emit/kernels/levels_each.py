@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/levels.py: do not edit, change that file.
 
-Digest of the inputs: sha256 0c46e14801aced1fc96c790c3567db85ce8d0e341159c6a1766bea688fbf0127
+Digest of the inputs: sha256 9ea3bc5f10a23221ac4160f4300f6c2710bfdb7b22e3f85dc047c4f58fb14571
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ from derive.emit.kernels.array_arithmetic import (
 )
 from derive.emit.kernels.formulas_each import rest_fall_each, rest_moment_each
 from derive.emit.kernels.potential_each import fall_from_rest_each, moment_from_rest_each
+from derive.emit.kernels.rests_each import pick_rest_each
 
 
 def turn_to_each(start, end):
@@ -101,6 +102,22 @@ def onward_each(eta, rest, start, amount, rough, wanted, moment=0):
         if not any_of(wanted & (stuck == 0) & (each_abs(step) > each_spacing(distance) ** 0.6 * each_abs(distance))):
             break
     return distance
+
+
+def further_each(eta, rest, start, amount, rough, far, moment=0):
+    """How far beyond ``start`` V has risen by ``amount``: ``onward`` where the rough value is not told well enough."""
+    better = onward_each(eta, rest, start, -amount, rough, far == 0, moment)
+    # Newton's method leaves a place where V is nearly level for one far away.
+    return each_pick(far | (each_abs(better - rough) > 0.01), rough, better)
+
+
+def tip_fall_each(eta, piece, change, rise, drop):
+    """V(tip) − V(tip + change), for a tip that is told from the low and the high end of its range."""
+    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
+    upper = from_hill < depth
+    return fall_each(
+        eta, pick_rest_each(upper, piece.basin.hill, piece.basin.well), each_pick(upper, from_hill, -depth), change
+    )
 
 
 def ridge_fall_each(beta, eta, field_angle, hill, ridge):

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 59b986b40f1f934588acfc7e845126ab405ec32243ae62f6fc0d162440d25281
+Digest of the inputs: sha256 4c8cd7006edd8a6561a8d265377f5d8a7e394400c8a00beb8d130c83abd1e5aa
 """
 
 from __future__ import annotations
@@ -22,12 +22,11 @@ from derive.emit.kernels.array_arithmetic import (
     each_sqrt,
     larger,
 )
-from derive.emit.kernels.levels_each import fall_each, onward_each, reach_each, slope_each, turn_to_each
+from derive.emit.kernels.levels_each import fall_each, further_each, reach_each, slope_each, tip_fall_each, turn_to_each
 from derive.emit.kernels.motion import Motion
 from derive.emit.kernels.pieces import Piece
 from derive.emit.kernels.potential_each import fall_from_rest_each, moment_from_rest_each
-from derive.emit.kernels.rests_each import pick_rest_each
-from derive.emit.kernels.shoulders import beyond_shoulder, clamp_beyond, shoulder_moment
+from derive.emit.kernels.shoulders import beside_shoulder, shoulder_side
 
 
 def motion_at_each(beta, eta, field_angle, piece: Piece, place):
@@ -50,6 +49,7 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
     done, apart = piece.clamp_gap + drop, each_pick(upper, piece.past_hill - from_hill, piece.past_well + depth)
     done = each_pick(done < 0.5 * each_pick(upper, from_hill, each_abs(piece.past_well)), done, apart)
     depth = each_pick(upper, turn_to_each(hill, well) - from_hill, depth)
+    there = None
     if basin.even:
         half_width = each_pick(
             upper, turn_to_each(hill, basin.axis) - from_hill, depth + turn_to_each(well, basin.axis)
@@ -60,12 +60,9 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
         half_width, left, far_moment, far_distance = parallel_side_each(beta, eta, piece, rise, drop, from_hill, depth)
         half_width = (done + left) / 2 if piece.high_kind == "turn" else half_width
     else:
-        half_width, left, far_moment, far_distance = far_side_each(eta, piece, rise, drop, depth, done, height)
+        half_width, left, far_moment, far_distance, there = far_side_each(eta, piece, rise, drop, depth, done, height)
         if basin.shoulder is not None:
-            lean = from_hill - turn_to_each(hill, basin.shoulder)
-            near_moment = each_pick(
-                2 * each_abs(lean) < each_abs(offset), shoulder_moment(eta, basin, lean), near_moment
-            )
+            near_moment = beside_shoulder(eta, basin, from_hill, offset, near_moment)
         near_moment = larger(near_moment, least_moment_each(basin) * each_abs(offset))
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
     lack = (from_hill + far_distance) / 2 if basin.whole else pi - half_width
@@ -77,7 +74,7 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
     left_sine = each_sin(each_pick(left > pi, lack + done / 2, left / 2))
     half_cosine = each_sin(lack / 2)
     centre = half_width - depth - turn_to_each(well, basin.axis)
-    end, middle = rates_each(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height)
+    end, middle = rates_each(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, there)
     return Motion(
         tip,
         half_width,
@@ -137,12 +134,13 @@ def within_each(sine):
 
 
 def far_side_each(eta, piece, rise, drop, depth, done, height):
-    """Half the width of the motion, how far it goes on beyond the clamp, and the moment where it turns."""
+    """Half the width of the motion, how far it goes on beyond the clamp, the moment where it turns, how far that is
+    from the far hill, and what a shoulder tells."""
     basin = piece.basin
     hill, well, far, far_well = basin.hill, basin.well, basin.far, basin.far_well
     down = turn_to_each(far_well, far)
     if piece.low_kind == "level":
-        below = fall_each(eta, hill, piece.low_offset, rise)
+        below = -tip_fall_each(eta, piece, -rise, rise, drop)
     else:
         below = basin.far_rise + fall_each(eta, hill, 0, piece.low_offset + rise)
     if basin.passes:
@@ -154,51 +152,17 @@ def far_side_each(eta, piece, rise, drop, depth, done, height):
     distance = reach_either_each(eta, far, far_well, by_hill, each_pick(by_hill, below, above), down)
     turn = each_pick(by_hill, down - distance, distance)  # far turning point − far_well
     left = each_pick(by_hill, piece.far_gap - distance, distance - piece.beyond_well)
+    if basin.shoulder is not None:
+        return shoulder_side(eta, piece, rise, drop, done, left, by_hill, distance)
     if piece.high_kind == "turn":
         left = larger(beyond_clamp_each(eta, piece, rise, drop, left), 0)
-    if basin.shoulder is not None:
-        return shoulder_side_each(eta, piece, rise, drop, depth, done, left, distance, by_hill)
     if basin.passes:
         half_width = (turn + depth + turn_to_each(well, far_well)) / 2
     else:
         half_width = (turn + depth) / 2
     far_moment = each_pick(by_hill, slope_each(eta, far, -distance), slope_each(eta, far_well, distance)) * -1
     far_moment = larger(far_moment, least_moment_each(basin) * distance)
-    return half_width, left, far_moment, each_pick(by_hill, distance, down - distance)
-
-
-def shoulder_side_each(eta, piece, rise, drop, depth, done, left, distance, by_hill):
-    """``far_side`` where a ridge is nearly there: V may be so nearly level about its shoulder that only the level of the
-    shoulder, or of the clamp, tells where the motion turns. left, distance: as far as V by a hill or a well tells them.
-    """
-    basin = piece.basin
-    far, far_well, clamp = basin.far, basin.far_well, clamp_beyond(piece)
-    beside = distance if by_hill else piece.beyond_well + left  # from the hill or the well
-    turn = clamp + left  # far turning point − shoulder
-    near = 2 * each_abs(turn) < beside
-    if near and "shoulder" in (piece.low_kind, piece.high_kind):
-        change = -rise if piece.low_kind == "shoulder" else drop
-        turn = beyond_shoulder(eta, basin, tip_fall_each(eta, piece, change, rise, drop), turn)
-        left = turn - clamp
-    # From the nearer of the two levels at which the range ends.
-    if piece.high_kind == "turn" and (piece.low_kind != "shoulder" or 2 * left <= each_abs(clamp)):
-        left = larger(beyond_clamp_each(eta, piece, rise, drop, left), 0)
-        turn = clamp + left
-    if near:
-        moment = shoulder_moment(eta, basin, turn)
-    else:
-        moment = slope_each(eta, far, -distance) if by_hill else slope_each(eta, far_well, piece.beyond_well + left)
-        moment = -larger(-moment, least_moment_each(basin) * beside)
-    return (done + left) / 2, left, -moment, distance if by_hill and not near else piece.far_gap - left
-
-
-def tip_fall_each(eta, piece, change, rise, drop):
-    """V(tip) − V(tip + change)."""
-    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
-    upper = from_hill < depth
-    return fall_each(
-        eta, pick_rest_each(upper, piece.basin.hill, piece.basin.well), each_pick(upper, from_hill, -depth), change
-    )
+    return half_width, left, far_moment, each_pick(by_hill, distance, down - distance), None
 
 
 def least_moment_each(basin):
@@ -223,38 +187,39 @@ def beyond_clamp_each(eta, piece, rise, drop, rough):
     V falls by the same amount on both sides. The rough value is as good as its difference to the clamp's distance
     from a hill or a well allows.
     """
-    basin, rest, start, moment = piece.basin, piece.clamp_rest, piece.clamp_offset, 0
+    far = rough > 0.25 * each_abs(piece.clamp_offset)
     amount = tip_fall_each(eta, piece, drop, rise, drop)
-    far = rough > 0.25 * each_abs(start)
-    if basin.shoulder is not None:
-        apart = clamp_beyond(piece)
-        near = 2 * each_abs(apart) < each_abs(start)
-        rest, start = pick_rest_each(near, basin.shoulder, rest), each_pick(near, apart, start)
-        moment, far = each_pick(near, basin.moment, 0), each_pick(near, rough > 0.5 * each_abs(piece.clamp_offset), far)
-    better = onward_each(eta, rest, start, -amount, rough, far == 0, moment)
-    # Newton's method leaves a place where V is nearly level for one far away.
-    return each_pick(far | (each_abs(better - rough) > 0.01), rough, better)
+    return further_each(eta, piece.clamp_rest, piece.clamp_offset, amount, rough, far)
 
 
-def rates_each(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height):
-    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle."""
+def rates_each(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, there):
+    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle; there: the
+    far turning point, if it is beside a shoulder."""
     middle, cosine = basin.axis.angle + centre, each_cos(half_width)
     cos_middle, cos_double = each_cos(middle), each_cos(2 * (middle - field_angle))
     product = each_sqrt(near) * each_sqrt(far)
     excess = -(2 * beta * cos_middle * cosine + eta * cos_double * (1 + cosine * cosine))
+    if there is not None:
+        # The same: V at the ends of the motion is equal.
+        bent = eta * (1 + 2 * cosine * cosine) * each_sin(2 * there.lean) * sine
+        excess = far * sine * sine * cosine - 2 * there.stiffness * cosine * cosine - bent
     split, rate = excess < 0, each_sqrt(product + larger(excess, 0))
     if any_of(split):
         mean = -(2 * beta * cos_middle + eta * cosine * cos_double)
-        apart = mean_less_field_each(eta, basin, centre, half_width, near, far, height, mean)
+        apart = mean_less_field_each(eta, basin, centre, half_width, near, far, height, there, mean)
         rate = each_pick(split, sine * each_sqrt(apart * (mean + eta) / each_pick(split, product - excess, 1)), rate)
     return each_sqrt(product / 2), rate / 2
 
 
-def mean_less_field_each(eta, basin, centre, half_width, near, far, height, mean):
+def mean_less_field_each(eta, basin, centre, half_width, near, far, height, there, mean):
     """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
     level."""
     apart = mean - eta
     close = apart <= 0.1 * eta
+    if there is not None:
+        return larger(
+            each_pick(close, far - 2 * eta * each_sin(there.lean) * each_sin(there.lean), apart), epsilon() * far / 4
+        )
     if any_of(close):
         # 2(axis − α), and 2(middle − α).
         axis = each_atan2(basin.axis.double_sine, basin.axis.double_cosine)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import any_of, larger, pick
+from derive.emit.kernels.arithmetic import any_of, larger, pi, pick
 from derive.emit.kernels.ground import ground_of
 from derive.emit.kernels.levels import fall, onward, reach, turn_to
 from derive.emit.kernels.rests import Rest, pick_rest
@@ -22,7 +22,7 @@ class Basin(NamedTuple):
     ridge that it passes, or the well.
 
     far_rise: V(far) − V(hill). even: the motion is symmetric about its middle. whole: far is the hill a turn on.
-    shoulder, moment: of a landscape in which a ridge is nearly there.
+    shoulder, moment: of a landscape in which a ridge is nearly there; lean: see ``shoulders.level_lean``.
     """
 
     hill: Rest
@@ -36,6 +36,7 @@ class Basin(NamedTuple):
     whole: bool
     shoulder: Rest | None = None
     moment: float = 0.0
+    lean: float = 0.0
 
 
 class Piece(NamedTuple):
@@ -64,7 +65,10 @@ class Piece(NamedTuple):
 def pieces(beta, eta, field_angle, scene, clamp):
     """All ranges of tip angles below the clamp angle, from low to high, one after the other as they are asked for."""
     ground = ground_of(beta, eta, field_angle, scene, clamp)
-    return (part for here, build in ranges(ground) if here for part in with_shoulder_level(eta, build(ground)))
+    found = (build(ground) for here, build in ranges(ground) if here)
+    if field_angle == 0 or field_angle == pi / 2:
+        return found
+    return (part for piece in found for part in with_shoulder_level(eta, piece))
 
 
 def ranges(ground):
@@ -161,8 +165,9 @@ def level_turn(ground):
     # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
     from_hill = reach(eta, basin.hill, ground.drop + below, down, 1)
     near = onward(eta, basin.hill, level, below, from_hill - level, True)
-    width = pick(below < above / 4, near, down - level - from_well)
-    return piece_of(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
+    by_level = below < above / 4
+    width, depth = pick(by_level, near, ground.depth - from_well), pick(by_level, ground.depth - near, from_well)
+    return piece_of(basin, "level", "turn", level, width, depth, depth + at[1], 0, at)
 
 
 def pass_clamp(ground):

@@ -2,11 +2,12 @@
 
 Emitted by `derive emit` from kernels/pieces.py: do not edit, change that file.
 
-Digest of the inputs: sha256 71cc905f4806714dfd118370eb824bef7b22abefdfda46dff9f683b874f76b2e
+Digest of the inputs: sha256 97926e56775c6fc9f38b860801f22a8d20fd4e799f5873c49a190bfa65c16586
 """
 
 from __future__ import annotations
 
+from derive.emit.kernels.arithmetic import pi
 from derive.emit.kernels.array_arithmetic import any_of, each_abs, each_pick, larger
 from derive.emit.kernels.ground_each import ground_of_each
 from derive.emit.kernels.levels_each import fall_each, onward_each, reach_each, turn_to_each
@@ -18,7 +19,10 @@ from derive.emit.kernels.shoulders import with_shoulder_level
 def pieces_each(beta, eta, field_angle, scene, clamp):
     """All ranges of tip angles below the clamp angle, from low to high, one after the other as they are asked for."""
     ground = ground_of_each(beta, eta, field_angle, scene, clamp)
-    return (part for here, build in ranges_each(ground) if here for part in with_shoulder_level(eta, build(ground)))
+    found = (build(ground) for here, build in ranges_each(ground) if here)
+    if field_angle == 0 or field_angle == pi / 2:
+        return found
+    return (part for piece in found for part in with_shoulder_level(eta, piece))
 
 
 def ranges_each(ground):
@@ -115,8 +119,12 @@ def level_turn_each(ground):
     # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
     from_hill = reach_each(eta, basin.hill, ground.drop + below, down, 1)
     near = onward_each(eta, basin.hill, level, below, from_hill - level, True)
-    width = each_pick(below < above / 4, near, down - level - from_well)
-    return piece_of_each(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
+    by_level = below < above / 4
+    width, depth = (
+        each_pick(by_level, near, ground.depth - from_well),
+        each_pick(by_level, ground.depth - near, from_well),
+    )
+    return piece_of_each(basin, "level", "turn", level, width, depth, depth + at[1], 0, at)
 
 
 def pass_clamp_each(ground):

@@ -40,6 +40,31 @@ def bracketed_root(function, places, values, blur):
         halve = little and 2 * abs(b - a) > width
 
 
+def smooth_root(function, low, high, value_low, value_high, blur):
+    """A zero of a function that rises or falls all the way between two places, and its slope there, by secants.
+
+    Where the function is cheap and all but straight these take less time than polynomials. blur: a value that rounding
+    may have made of zero; values that differ by less than a thousand of it tell no slope.
+    """
+    slope, rising = (value_high - value_low) / (high - low), value_high > value_low
+    place, value = (low, value_low) if abs(value_low) < abs(value_high) else (high, value_high)
+    while abs(value) > blur:
+        trial = place - value / slope
+        if not low < trial < high:
+            trial = (low + high) / 2
+            if not low < trial < high:
+                break
+        new = function(trial)
+        if (new > 0) == rising:
+            high = trial
+        else:
+            low = trial
+        if abs(new - value) > 1000 * blur:
+            slope = (new - value) / (trial - place)
+        place, value = trial, new
+    return place, slope
+
+
 def with_node(nodes, parts, place, value):
     """The places of a polynomial and its divided differences, with one more place in front, and no more than five."""
     found = [value]

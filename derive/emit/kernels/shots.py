@@ -12,15 +12,15 @@ from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import atan2, cos, exp, floor, less_quarters, pi, sin, sqrt
 from derive.emit.kernels.formulas import shot_bend
-from derive.emit.kernels.roots import bracketed_root
+from derive.emit.kernels.roots import smooth_root
 
-SHORT_SLOW = 1.2 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
+SHORT_SLOW = 1.4 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
 LEVEL = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
-CLOSEST = 2.0**-12  # least distance of samples, as a share of how far a tip may be from the clamp angle
-UNSURE = 1e-9  # what is missed is right to less than 1e-5 of this share of that
-SLACK = 1e-4  # by how much more than the bound samples must be apart
+CLOSEST = 2.0**-26  # least distance of samples, as a share of how far a tip may be from the clamp angle
+UNSURE = 1e-10  # as a share of the same, what is missed of which the hundredth part may be wrong
+SLACK = 0.02  # by how much more than the bound samples must be apart for that
+REACH = 1e-3  # by how much more than a bound tips are looked for
 ALIKE = 1e-14  # as ``UNSURE``, what rounding may have made of zero
-BESIDE = 1e-6  # distance from a zero at which its slope is told, as a share of the same
 
 
 class Shot(NamedTuple):
@@ -44,7 +44,7 @@ def tip_shots(beta, eta, field_angle, length, clamp_angle):
         return miss_of(beta, eta, field_angle, clamp, offset)
 
     # θ″ is nowhere more than β + η/2, and no motion is wider than a turn.
-    reach = (1 + SLACK) * min((beta + eta / 2) / 2, 2 * pi)
+    reach = (1 + REACH) * min((beta + eta / 2) / 2, 2 * pi)
     samples = samples_apart(missed, reach, shot_bend(beta, eta, (exp(slow / 2) - exp(-slow / 2)) ** 2 / 2) / 2)
     return None if samples is None else zeros_between(missed, *samples, reach)
 
@@ -64,20 +64,15 @@ def miss_of(beta, eta, field_angle, clamp_angle, offset):
     along, across, half = beta * cos(tip), beta * sin(tip), eta / 2 * sin(double)
     p, m, q = across + half, across - half, along + eta * cos(double)
     quarter, c = p * m / 4, q / 12
-    value = wp_after_one(q * c - quarter, (quarter - q * q / 18) * c - along * p * p / 16)
-    return offset + 2 * atan2(p / 4, value - c)
-
-
-def wp_after_one(g2, g3):
-    """℘(1) by the series at 1/8 and the duplication formula."""
-    a, b = g2 / 81920, g3 / 7340032
+    g2, g3 = q * c - quarter, (quarter - q * q / 18) * c - along * p * p / 16
+    # ℘(1) by the series at 1/8 and three doublings.
+    a, b, fourth, twice = g2 / 81920, g3 / 7340032, g2 / 4, 2 * g3
     value = 64 * (1 + a + b + a * a / 3 + a * b * (3 / 11) + (2 * a * a * a / 3 + b * b) / 13)
-    quarter, twice = g2 / 4, 2 * g3
     for _ in range(3):
         squared = value * value
-        above = squared + quarter
+        above = squared + fourth
         value = (above * above + twice * value) / (value * (4 * squared - g2) - g3)
-    return value
+    return offset + 2 * atan2(p / 4, value - c)
 
 
 def samples_apart(function, reach, sag):
@@ -110,7 +105,6 @@ def zeros_between(function, places, values, reach):
     found = []
     for k in range(1, len(places)):
         if (values[k] > 0) != (values[k - 1] > 0):
-            known = [k - 1, k, *([k - 2] if k > 1 else []), *([k + 1] if k + 1 < len(places) else [])]
-            offset = bracketed_root(function, [places[j] for j in known], [values[j] for j in known], ALIKE * reach)
-            found.append(Shot(offset, function(offset + BESIDE * reach) / (BESIDE * reach)))
+            span = places[k - 1], places[k], values[k - 1], values[k]
+            found.append(Shot(*smooth_root(function, *span, ALIKE * reach)))
     return found

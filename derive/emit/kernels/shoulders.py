@@ -6,9 +6,21 @@ the tip is from the shoulder's, which a place tells to all digits only if a rang
 
 from __future__ import annotations
 
-from derive.emit.kernels.arithmetic import ceil, cos, epsilon, larger, log, pick, sin, sqrt
-from derive.emit.kernels.levels import fall, onward, reach, slope, turn_to
-from derive.emit.kernels.rests import pick_rest
+from typing import NamedTuple
+
+from derive.emit.kernels.arithmetic import atan2, ceil, cos, epsilon, floor, larger, log, pi, sin, sqrt
+from derive.emit.kernels.levels import fall, further, onward, reach, slope, tip_fall, turn_to
+
+
+class Turn(NamedTuple):
+    """A far turning point beside a shoulder: what a motion is told by where V is all but level there.
+
+    lean: from the field to the turning point, less a half of half the width, but for half turns; it is zero where three
+    of the four directions at which V is that of the tip are one. stiffness: dθ″/dθ there.
+    """
+
+    lean: float
+    stiffness: float
 
 
 def shoulder_moment(eta, basin, offset):
@@ -37,10 +49,9 @@ def with_shoulder_level(eta, piece):
     above = -fall(eta, basin.well, 0, -upper)
     down = turn_to(basin.hill, basin.well)
     by_hill = drop < above
-    distance = reach(
-        eta, pick_rest(by_hill, basin.hill, basin.well), pick(by_hill, drop, above), down, 1 if by_hill else -1
-    )
-    level, start = (distance, distance) if by_hill else (down - distance, -distance)
+    rest, amount, side = (basin.hill, drop, 1) if by_hill else (basin.well, above, -1)
+    distance = reach(eta, rest, amount, down, side)
+    level = distance if by_hill else down - distance
     width = piece.width - level
     if piece.high_kind == "turn":
         clamp = clamp_beyond(piece)
@@ -48,11 +59,11 @@ def with_shoulder_level(eta, piece):
         if clamp >= 0 or amount <= 0:
             return [piece]
         if 2 * abs(clamp) < piece.beyond_well:
-            rest = pick_rest(by_hill, basin.hill, basin.well)
-            width = onward(eta, rest, start, amount, width, True)
+            width = onward(eta, rest, side * distance, amount, width, True)
     if width <= 0:
         return [piece]
     depth, gap = piece.high_depth + width, piece.clamp_gap + width
+    piece = piece._replace(basin=basin._replace(lean=level_lean(eta, basin, level)))
     first = piece._replace(high_kind="shoulder", width=level, high_depth=depth, clamp_gap=gap)
     return [first, piece._replace(low_kind="shoulder", low_offset=level, width=width)]
 
@@ -66,6 +77,81 @@ def beyond_shoulder(eta, basin, gap, rough):
     near = near if near * moment < size else size / moment
     near = near if gap > 0 else -near
     return onward(eta, basin.shoulder, 0, -gap, near if abs(near) < 0.5 else rough, True, basin.moment)
+
+
+def shoulder_side(eta, piece, rise, drop, done, left, by_hill, distance):
+    """``motion.far_side`` where a ridge is nearly there: V may be so nearly level about its shoulder that only the
+    level of the shoulder, or of the clamp, tells where the motion turns.
+
+    left, distance: how far beyond the clamp, and from the hill or the well there, as far as V from those tells it.
+    """
+    basin, clamp = piece.basin, clamp_beyond(piece)
+    beside = distance if by_hill else piece.beyond_well + left
+    turn = clamp + left  # far turning point − shoulder
+    near = 2 * abs(turn) < beside
+    if near and "shoulder" in (piece.low_kind, piece.high_kind):
+        change = -rise if piece.low_kind == "shoulder" else drop
+        turn = beyond_shoulder(eta, basin, tip_fall(eta, piece, change, rise, drop), turn)
+        left = turn - clamp
+    # From the nearer of the two levels at which the range ends.
+    if piece.high_kind == "turn" and (piece.low_kind != "shoulder" or 2 * left <= abs(clamp)):
+        left = max(past_clamp(eta, piece, tip_fall(eta, piece, drop, rise, drop), left), 0)
+        turn = clamp + left
+    if near:
+        moment = shoulder_moment(eta, basin, turn)
+    else:
+        well_offset = piece.beyond_well + left
+        moment = slope(eta, basin.far, -distance) if by_hill else slope(eta, basin.far_well, well_offset)
+        moment = min(moment, -4 * epsilon() * beside)
+    far_distance = distance if by_hill and not near else piece.far_gap - left
+    divided = near and "shoulder" in (piece.low_kind, piece.high_kind)
+    there = turn_beside(eta, piece, rise, drop, turn) if divided else None
+    return (done + left) / 2, left, -moment, far_distance, there
+
+
+def turn_beside(eta, piece, rise, drop, turn):
+    """A turning point at this angle from the shoulder."""
+    basin = piece.basin
+    rest = basin.shoulder
+    lean = basin.lean + (3 * turn + (rise if piece.low_kind == "shoulder" else -drop)) / 4
+    sine, cosine = sin(turn), cos(turn)
+    bent = 2 * rest.double_cosine * sin(1.5 * turn) * sin(turn / 2) + rest.double_sine * sine * (2 * cosine - 0.5)
+    return Turn(lean, rest.stiffness * cosine - basin.moment * sine - eta * bent)
+
+
+def level_lean(eta, basin, level):
+    """The lean of a motion that turns at the shoulder, from a tip at this offset from the hill.
+
+    From the angles, and by Newton's method from the balance of V at both ends, in which the moment at the shoulder and
+    the stiffness there are factors.
+    """
+    rest, moment = basin.shoulder, basin.moment
+    cosine, sine = rest.double_cosine, rest.double_sine
+    lean = atan2(sine, cosine) / 2 - (turn_to(basin.hill, rest) - level) / 4
+    lean = rough = lean - pi * floor(lean / pi + 0.5)
+    lost, firm = moment * cosine - rest.stiffness * sine, rest.stiffness * cosine + moment * sine - eta * sine * sine
+    for _ in range(3):
+        small, large = sin(2 * lean), cos(2 * lean)
+        share = firm + eta * small * (2 * sine * cosine * large - (1 - 2 * sine * sine) * small)
+        bend = 2 * sine * cosine * (large * large - small * small) - 2 * (1 - 2 * sine * sine) * small * large
+        steep = large * share - small * lost + eta * small * bend
+        lean = lean - (lost * large + small * share) / (2 * steep) if steep != 0 else rough
+    return lean if abs(lean - rough) < 64 * epsilon() else rough
+
+
+def beside_shoulder(eta, basin, from_hill, offset, moment):
+    """θ″ at the tip, by the shoulder if that is nearer than the hill or well by whose offset it was told."""
+    apart = from_hill - turn_to(basin.hill, basin.shoulder)
+    return shoulder_moment(eta, basin, apart) if 2 * abs(apart) < abs(offset) else moment
+
+
+def past_clamp(eta, piece, amount, rough):
+    """``motion.beyond_clamp``, from the shoulder if that is nearer to the clamp than a hill or a well."""
+    offset, apart = piece.clamp_offset, clamp_beyond(piece)
+    if 2 * abs(apart) < abs(offset):
+        basin = piece.basin
+        return further(eta, basin.shoulder, apart, amount, rough, rough > 0.5 * abs(offset), basin.moment)
+    return further(eta, piece.clamp_rest, offset, amount, rough, rough > 0.25 * abs(offset))
 
 
 def beside_level(eta, piece):

@@ -7,9 +7,11 @@ from functools import partial
 from typing import Any
 
 from derive.measure.atlas_maps import MAPS
-from derive.measure.atlas_points import OURS, measure_point, places
+from derive.measure.atlas_points import OURS, TITLES, measure_point, places
+from derive.measure.atlas_stiff import ALL_PEERS
 from derive.measure.bench.families import Job, Plan, Record
 from derive.measure.hard import exact
+from derive.measure.packages import left_out
 from derive.measure.reference import Rod
 
 PARTS = {"atlas": "errors at the extremes, ours beside what people use today"}
@@ -50,16 +52,36 @@ def shown(record: Record, one: dict[str, Any]) -> str:
 
 
 def document(records: Sequence[Record]) -> list[str]:
-    """A row for each map and solver, and every rod on which we err by more than the bound."""
+    """What each solver does on each map, every rod on which we err by more than the bound, and who is missing."""
+    named = [f"- {record['map']}: {shown(record, one)}" for record, one in beyond(records)]
+    return ["## Extremes", "", *table(records), "", summary(records), "", *named, *(f"- {one}" for one in missing())]
+
+
+def beyond(records: Sequence[Record]) -> list[tuple[Record, dict[str, Any]]]:
+    """Rods on which we err by more than one bound, the worst first."""
+    far = [(record, one) for record, one in ours(records) if (one["bounds"] or 0) > 1]
+    return sorted(far, key=lambda pair: -float(pair[1]["bounds"]))
+
+
+def summary(records: Sequence[Record]) -> str:
+    """In one line."""
+    return f"We err by more than the bound on {len(beyond(records))} of {len(records)} rods."
+
+
+def missing() -> list[str]:
+    """Solvers that are not there, and what would bring them."""
+    return left_out(ALL_PEERS.values())
+
+
+def table(records: Sequence[Record]) -> list[str]:
+    """A row for each map and solver, as lines of Markdown."""
     head = ("map", "solver", "rods", "median, bounds", "worst, bounds", "worst, ulps", "failures")
-    lines = ["## Extremes", "", f"| {' | '.join(head)} |", "|---|---|" + "--:|" * 4 + "---|"]
+    lines = [f"| {' | '.join(head)} |", "|---|---|" + "--:|" * 4 + "---|"]
     for name in dict.fromkeys(record["map"] for record in records):
         here = [record for record in records if record["map"] == name]
         for solver in dict.fromkeys(one["solver"] for record in here for one in record["solvers"]):
             lines.append(row(name, solver, [o for r in here for o in r["solvers"] if o["solver"] == solver]))
-    beyond = sorted(ours(records), key=lambda pair: -(pair[1]["bounds"] or 0))
-    named = [f"- {record['map']}: {shown(record, one)}" for record, one in beyond if (one["bounds"] or 0) > 1]
-    return [*lines, "", f"We err by more than the bound on {len(named)} of {len(records)} rods.", "", *named]
+    return lines
 
 
 def row(name: str, solver: str, of: Sequence[dict[str, Any]]) -> str:
@@ -70,4 +92,4 @@ def row(name: str, solver: str, of: Sequence[dict[str, Any]]) -> str:
     failures = ", ".join(f"{kind} {kinds.count(kind)}" for kind in sorted(set(kinds))) or "none"
     numbers = [None, None, ulps] if not bounds else [bounds[len(bounds) // 2], bounds[-1], ulps]
     cells = ["–" if number is None else f"{number:.2g}" for number in numbers]
-    return f"| {name} | {solver} | {len(of)} | {' | '.join(cells)} | {failures} |"
+    return f"| {name} | {TITLES[solver]} | {len(of)} | {' | '.join(cells)} | {failures} |"

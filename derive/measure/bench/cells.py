@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import asdict, dataclass, field
-from importlib.util import find_spec
 from typing import Any
 
 from derive.measure.bench.families import Plan, Record
@@ -61,11 +60,6 @@ class Method:
     group: str
     cells: Callable[[Problem, Plan], Iterator[Cell]]
     needs: tuple[str, ...] = ()
-
-    @property
-    def absent(self) -> list[str]:
-        """Packages that it needs and that are not there; they are looked for, not imported."""
-        return [name for name in self.needs if find_spec(name) is None]
 
 
 def key_of(problem: Problem, method: Method, cell: Cell) -> str:

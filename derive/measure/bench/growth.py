@@ -86,9 +86,14 @@ def slope(records: Sequence[Record], value: Callable[[Record], float]) -> float:
 
 
 def document(records: Sequence[Record]) -> list[str]:
-    """The measured exponents."""
-    lines = ["## Time and memory as work grows", ""]
-    lines += ["| what | work | from … to | time | grows as | memory | grows as |", "|---" * 7 + "|"]
+    """The measured exponents, and what they are."""
+    text = "Exponents are of least squares on logarithms, over the upper half of each series."
+    return ["## Time and memory as work grows", "", *table(records), "", text]
+
+
+def table(records: Sequence[Record]) -> list[str]:
+    """A row for each series, as lines of Markdown."""
+    lines = ["| what | work | from … to | time | grows as | memory | grows as |", "|---" * 7 + "|"]
     for row in exponents(records):
         sizes = "–" if row.bytes is None else " … ".join(f"{number / 1e6:.2g} MB" for number in row.bytes)
         cells = (
@@ -101,7 +106,7 @@ def document(records: Sequence[Record]) -> list[str]:
             "–" if row.memory is None else f"{row.variable}^{row.memory:.2f}",
         )
         lines.append("| " + " | ".join(cells) + " |")
-    return [*lines, "", "Exponents are of least squares on logarithms, over the upper half of each series."]
+    return lines
 
 
 def wrong(records: Sequence[Record]) -> Iterator[str]:

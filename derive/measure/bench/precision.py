@@ -10,13 +10,14 @@ from derive.measure.bench.cells import OURS, Cell, Method, Problem, key_of, meas
 from derive.measure.bench.families import Job, Plan, Record
 from derive.measure.bench.methods import methods
 from derive.measure.bench.tasks import TASKS, module_of, problems
+from derive.measure.packages import absent, left_out
 
 PARTS = {task: module_of(task).TITLE for task in TASKS}
 
 
 def jobs(plan: Plan) -> Iterator[Job]:
     """A job for each setting of each method that is there, on each problem."""
-    there = [method for method in methods() if not method.absent]
+    there = [method for method in methods() if not absent(method)]
     for problem in problems(plan):
         cells = [(method, cell) for method in there for cell in method.cells(problem, plan)]
         base = next(cell for method, cell in cells if method.group == OURS)
@@ -36,19 +37,12 @@ def document(records: Sequence[Record]) -> list[str]:
         rows = [record for record in records if record["problem"] == problem]
         lines += [*tables.section(rows, module_of(rows[0]["task"]).NOTE), ""]
     compared = [*ratios.section(records), ""]
-    return [*lines, *compared, *(f"- {line}" for line in left_out())]
+    return [*lines, *compared, *(f"- {line}" for line in missing())]
 
 
-def left_out() -> list[str]:
+def missing() -> list[str]:
     """Methods that are not there, and what would bring them."""
-    missing: dict[tuple[str, ...], list[str]] = {}
-    for method in methods():
-        if method.absent:
-            missing.setdefault(tuple(method.absent), []).append(method.name)
-    return [
-        f"left out, for {' and '.join(needs)} cannot be imported: {', '.join(names)}"
-        for needs, names in missing.items()
-    ]
+    return left_out(methods())
 
 
 def idle(records: Sequence[Record]) -> Iterator[str]:

@@ -97,6 +97,7 @@ SERIES = (
     Series("a long rod's shape, points shuffled", "points", (100, 1000, 10_000, 100_000, 1_000_000), shuffled),
     Series("all equilibria, field alone", "equilibria", (10, 30, 100, 300, 1000, 3000), field_alone, len),
     Series("all equilibria, mpmath", "digits", (15, 30, 60, 120, 240, 480), twin),
-    Series("a sweep", "rods", (80, 400, 2000, 8000), sweep),
+    # The last amount is ten blocks, which shows whether memory is bounded by the block.
+    Series("a sweep", "rods", (80, 800, 8000, 80_000), sweep),
     Series("formulas judged", "formulas", (4, 8, 16, 32, 64), formulas, memory=False),
 )

@@ -6,11 +6,14 @@ from collections.abc import Iterator, Sequence
 from functools import partial
 
 from derive.measure.bench.families import Job, Plan, Record
+from derive.measure.hard import exact
+from derive.measure.reference import Rod
 from derive.measure.stability import DEFECT, record_of, table, worst_input
 from derive.measure.stability_formulas import known_formulas
 
 PARTS = {"stability": "what emitted formulas lose beyond their condition numbers"}
 RODS, QUICK_RODS, SEED = 60, 2, 1
+SHOWN = 12  # of the worst, in the guide
 
 
 def jobs(plan: Plan) -> Iterator[Job]:
@@ -30,5 +33,28 @@ def wrong(records: Sequence[Record]) -> Iterator[str]:
 def document(records: Sequence[Record]) -> list[str]:
     """The table, and the worst inputs with the commands that find them again."""
     text = f"“Excess” is the loss over operations × (1 + condition number); above {DEFECT:g} it is a defect."
-    worst = sorted((record for record in records if record["rod"]), key=lambda one: -float(one["called"]["excess"]))
-    return ["## Stability of the formulas", "", text, "", *table(records), "", *(f"- {worst_input(o)}" for o in worst)]
+    inputs = [f"- {worst_input(one)}" for one in by_excess(records)]
+    return ["## Stability of the formulas", "", text, "", *table(records), "", *inputs]
+
+
+def by_excess(records: Sequence[Record]) -> list[Record]:
+    """Formulas that were called on some rod, the worst first."""
+    return sorted((record for record in records if record["rod"]), key=lambda one: -float(one["called"]["excess"]))
+
+
+def worst_table(records: Sequence[Record]) -> list[str]:
+    """The worst formulas with the rods on which they are, as lines of Markdown."""
+    lines = ["| formula | operations | loss, roundings | condition | excess | rod |", "|---" + "|--:" * 4 + "|---|"]
+    for one in by_excess(records)[:SHOWN]:
+        numbers = " | ".join(f"{float(one['called'][key]):.2g}" for key in ("loss", "condition", "excess"))
+        lines.append(f"| `{one['name']}` | {one['operations']} | {numbers} | {exact(Rod(**one['rod']))} |")
+    return lines
+
+
+def summary(records: Sequence[Record]) -> str:
+    """In one line."""
+    (worst, *_), condition = by_excess(records), max(float(one["called"]["condition"]) for one in records)
+    return (
+        f"{len(records)} formulas: the worst excess is {float(worst['called']['excess']):.2g} ({worst['name']}), "
+        f"the greatest condition number {condition:.2g}"
+    )

@@ -94,9 +94,9 @@ def section(records: Sequence[Record], note: str) -> list[str]:
 
 
 def readme_rows(records: Sequence[Record]) -> tuple[list[str], list[str]]:
-    """The README's table, and which of its rows have no record."""
+    """The README's table, and which of its rows have no record. “Over ours” is over the first row of the task."""
     lines = ["| task | method | worst error | found | time | over ours |", "|---" * 6 + "|"]
-    missing, before = [], ""
+    missing, before, base = [], "", 1.0
     for problem, method, setting in README_ROWS:
         rows = [r for r in records if (r["problem"], r["method"]) == (problem, method)]
         rows = [r for r in rows if setting == "*" or r["setting"].startswith(setting)]
@@ -105,8 +105,8 @@ def readme_rows(records: Sequence[Record]) -> tuple[list[str], list[str]]:
             continue
         row = min(rows, key=lambda r: (not (comparable(r) or at_once(r)), r["errors"]["worst"] or 1.0))
         title = "" if row["title"] == before else row["title"]
-        before = row["title"]
+        base, before = row["ratio"]["median"] if title else base, row["title"]
         time = f"{seconds(row['seconds']['median'])} a {row['unit']}"
         cells = (title, f"{method}, {row['setting']}", error(row["errors"]["worst"]), found(row), time)
-        lines.append("| " + " | ".join((*cells, ratio(row["ratio"]["median"]))) + " |")
+        lines.append("| " + " | ".join((*cells, ratio(row["ratio"]["median"] / base))) + " |")
     return lines, missing
