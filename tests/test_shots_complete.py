@@ -10,9 +10,10 @@ import pytest
 from rounding import error_bound
 
 from derive.emit.kernels import block_shots
+from derive.emit.kernels.block_arrivals import Load, load_of, miss
 from derive.emit.kernels.block_pieces import Rods
 from derive.emit.kernels.block_records import rounded_to, rows
-from derive.emit.kernels.block_shots import BLUR, ROUGH_BLUR, SHOT_SLOW, Load, load_of, miss, sag_of, shots_of
+from derive.emit.kernels.block_shots import BLUR, ROUGH_BLUR, SHOT_SLOW, sag_of, shots_of
 from derive.emit.kernels.blocks import sweep_arrays
 from derive.measure import counts
 
