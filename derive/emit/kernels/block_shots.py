@@ -41,10 +41,12 @@ EVEN = 3.0  # step between tips, over the steepest slope
 FEWEST_SPANS = 16
 ROUGH_HALVINGS = 2  # of spans in single precision
 SPAN_HALVINGS = 18  # of the rest
-ROUGH_BLUR = 6e-3  # what is missed is right to half of that in single precision (docs/solver.md)
-BLUR = 2e-11  # the same in double precision
+ROUGH_BLUR = 1e-3  # what is missed is right to half of that in single precision (docs/solver.md)
+ROUGH_SHOT = 1.2 * pi  # ℓ√(β + η) from which only to
+WIDER = 6.0  # times as much
+BLUR = 2e-11  # the same in double precision, on all
 STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
-AIMS = 4  # steps towards a zero
+AIMS = 3  # steps towards a zero
 AGAIN = 4  # as often for those that are still far
 AIM_SPREAD = 1e-6  # distance of two shares from which they tell a slope
 
@@ -80,8 +82,8 @@ def is_shot(rods):
 
 def shots_of(rods, size):
     """All tips of short rods, and the numbers of the rods of which they are not sure: these have none."""
-    load, sag = load_of(rods), sag_of(rods)
-    spans, unsure = told_apart(load, sag, *sampled_spans(load, sag, rods.slow))
+    load, sag, blur = load_of(rods), sag_of(rods), ROUGH_BLUR * where(rods.slow < ROUGH_SHOT, 1.0, WIDER)
+    spans, unsure = told_apart(load, sag, blur, *sampled_spans(load, sag, blur, rods.slow))
     if unsure.size:
         spans = rows(spans, ~isin(spans.rod, unsure))
     which, left, right = spans.rod, spans.first, spans.first + spans.width
@@ -107,7 +109,7 @@ def no_spans():
     return Spans(zeros(0, dtype=int), none, none, none, none)
 
 
-def sampled_spans(load, sag, slow):
+def sampled_spans(load, sag, blur, slow):
     """The load in single precision, and the spans between samples over which what is missed changes its sign, or may
     have zeros without."""
     rough, parts = rounded_to(load, float32), [no_spans()]
@@ -119,9 +121,9 @@ def sampled_spans(load, sag, slow):
         shares = linspace(-1, 1, number + 1)
         values = miss(rows(rough, here), shares.astype(float32)[:, None])
         above, size = values > 0, abs(values)
-        size[size <= ROUGH_BLUR] = -inf
+        size[size <= blur[here].astype(float32)] = -inf
         step = 2 / number * load.reach[here]
-        needed = (sag[here] * step * step + 2 * ROUGH_BLUR).astype(float32)
+        needed = (sag[here] * step * step + 2 * blur[here]).astype(float32)
         # What is not a number is not sure either.
         held = (above[1:] != above[:-1]) | ~(size[1:] + size[:-1] > needed)
         row, which = divmod(flatnonzero(held), held.shape[1])
@@ -130,16 +132,17 @@ def sampled_spans(load, sag, slow):
     return rough, joined(parts)
 
 
-def told_apart(load, sag, rough, spans):
+def told_apart(load, sag, blur, rough, spans):
     """The spans with one tip each, and the rods of which a span as small as any leaves a doubt."""
-    first, spans = parted(rough, sag, spans, ROUGH_BLUR, ROUGH_HALVINGS)
+    first, spans = parted(rough, sag, blur, spans, ROUGH_HALVINGS)
     some = rows(load, spans.rod)
-    ends = miss(some, spans.first), miss(some, spans.first + spans.width)
-    second, spans = parted(load, sag, spans._replace(before=ends[0], after=ends[1]), BLUR, SPAN_HALVINGS)
+    before, after = miss(some, spans.first), miss(some, spans.first + spans.width)
+    spans = spans._replace(before=before, after=after)
+    second, spans = parted(load, sag, full(sag.size, BLUR), spans, SPAN_HALVINGS)
     return joined([first, second]), spans.rod
 
 
-def parted(load, sag, spans, blur, times):
+def parted(load, sag, blur, spans, times):
     """The spans that hold one tip, of these and of those that come of the others by halving, and what is left of them.
 
     blur: by how much what is missed may be wrong. Over a span it departs from its chord by no more than sag·width²/4.
@@ -148,7 +151,7 @@ def parted(load, sag, spans, blur, times):
     """
     found = []
     for turn in range(times + 1):
-        before, after = (maximum(abs(end) - blur, 0) for end in (spans.before, spans.after))
+        before, after = (maximum(abs(end) - blur[spans.rod], 0) for end in (spans.before, spans.after))
         crossed = (spans.before > 0) != (spans.after > 0)
         width = spans.width * load.reach[spans.rod]
         sum_, both = before + after, before * after
