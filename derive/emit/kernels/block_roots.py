@@ -85,16 +85,16 @@ def approached(function, given, left, right, value_left, value_right, steps, spr
     function(given, places): the values, of the rows of a record. spread: the distance of two places from which they
     tell a slope. again: how often those that still move go through as many steps alone.
     """
-    parts = [(zeros(0, left.dtype), zeros(0, left.dtype))]
-    for start in range(0, left.size, AT_ONCE):
+    parts = []
+    for start in range(0, max(left.size, 1), AT_ONCE):
         some, *ends = rows((given, left, right, value_left, value_right), slice(start, start + AT_ONCE))
-        place, slope, move, ends = nearer(function, some, *ends, steps, spread)
-        far = flatnonzero(abs(move) > MOVING) if again else zeros(0, dtype=int)
-        if far.size:
-            some, *ends = rows((some, *ends), far)
-            place[far], slope[far] = approached(function, some, *ends, steps, spread, again - 1)
-        parts.append((place, slope))
-    return joined(parts)
+        parts.append(nearer(function, some, *ends, steps, spread))
+    place, slope, move, ends = joined(parts)
+    far = flatnonzero(abs(move) > MOVING) if again else zeros(0, dtype=int)
+    if far.size:
+        some, *ends = rows((given, *ends), far)
+        place[far], slope[far] = approached(function, some, *ends, steps, spread, again - 1)
+    return place, slope
 
 
 def nearer(function, given, left, right, value_left, value_right, steps, spread):
