@@ -158,34 +158,32 @@ def polished(some, brackets, place, slope, secants, ease):
     value, before, todo, found = full(place.shape, nan), place.copy(), arange(place.size), None
     settled = zeros(place.shape, dtype=bool)
     for turn in range(8):
-        if not todo.size:
-            break
-        whole = todo.size == place.size
-        here, branch = (some, brackets) if whole else rows((some, brackets), todo)
-        at, extent = place[todo], here.rods.length
-        times = times_at(here, at)
-        if whole:
-            found = times
-        else:
-            put_rows(found, todo, times)
-        now = surplus(times.swing, times.arrival, branch.turns, branch.sign, extent)
-        change = at - before[todo]
-        told = abs(change) > TOLD * (1 + abs(at))
-        slope[todo] = steep = where(told, (now - value[todo]) / where(told, change, 1), slope[todo])
-        step = now / steep
-        value[todo], before[todo] = now, at
+        here, branch = (some, brackets) if todo.size == place.size else rows((some, brackets), todo)
+        at, times = place[todo], times_at(here, place[todo])
+        found = put_rows(found, todo, times)
+        now = surplus(times.swing, times.arrival, branch.turns, branch.sign, here.rods.length)
+        slope[todo] = steep = secant_slope(at, before[todo], now, value[todo], slope[todo])
+        value[todo], before[todo], step = now, at, now / steep
         if turn >= secants:
-            # What is left time and again is rounding of the times themselves; half way leaves less of it.
             blur = epsilon() * 2 ** min(turn - secants, ease)
-            close = (abs(step) <= blur * (1 + abs(at))) | (abs(now) <= blur * extent)
-            settled[todo] = close
-            step = where(abs(now) <= NOISE * epsilon() * extent, step / 2, step)
+            settled[todo] = close = (abs(step) <= blur * (1 + abs(at))) | (abs(now) <= blur * here.rods.length)
+            # What is left time and again is rounding of the times themselves; half way leaves less of it.
+            step = where(abs(now) <= NOISE * epsilon() * here.rods.length, step / 2, step)
             todo, at, step = todo[~close], at[~close], step[~close]
         place[todo] = at = at - step
         todo = todo[(at >= least[todo]) & (at <= most[todo])]
+        if not todo.size:
+            break
     rising = (brackets.value_right > brackets.value_left) == (brackets.right > brackets.left)
     tips = rows(Found(brackets.range, place, brackets.turns, brackets.sign, rising, *found), settled)
     return tips, lost_ranges(wanted, tips.range)
+
+
+def secant_slope(at, before, value, value_before, slope):
+    """The slope of a branch by two places, or the one known where they are too near each other."""
+    change = at - before
+    told = abs(change) > TOLD * (1 + abs(at))
+    return where(told, (value - value_before) / where(told, change, 1), slope)
 
 
 def times_at(group, place):
