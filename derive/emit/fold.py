@@ -28,7 +28,17 @@ _OPERATIONS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
 # Functions that give back their last argument when it is a constant within its domain: real(name, value) and the like,
 # and what takes a part of an array, or asks whether any element holds, where all are one and the same.
 _CHECKS = ("real", "not_negative", "positive")
-_IDENTITIES = ("float", "mpf", "slab", "element", "any_of", "any", *_CHECKS, *(f"all_{check}" for check in _CHECKS))
+_IDENTITIES = (
+    "float",
+    "mpf",
+    "slab",
+    "element",
+    "any_of",
+    "each_any_of",
+    "any",
+    *_CHECKS,
+    *(f"all_{check}" for check in _CHECKS),
+)
 _CHOICES = ("where", "pick", "each_pick")  # functions that give their second or third argument, by the first
 _TRUTHS = (S.true, S.false)
 _SCALINGS = ("ldexp",)  # functions that give back 0 for 0

@@ -2,15 +2,15 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 4c8cd7006edd8a6561a8d265377f5d8a7e394400c8a00beb8d130c83abd1e5aa
+Digest of the inputs: sha256 a0623c38e36f4d38493396d8c03933cb37b4c630e7f95ecbdf4174a05361e204
 """
 
 from __future__ import annotations
 
 from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import (
-    any_of,
     each_abs,
+    each_any_of,
     each_asin,
     each_atan2,
     each_cos,
@@ -56,7 +56,7 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
         )
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
         far_moment, far_distance = near_moment, from_hill
-    elif any_of(field_angle == 0) and not basin.passes:
+    elif each_any_of(field_angle == 0) and (not basin.passes):
         half_width, left, far_moment, far_distance = parallel_side_each(beta, eta, piece, rise, drop, from_hill, depth)
         half_width = (done + left) / 2 if piece.high_kind == "turn" else half_width
     else:
@@ -204,7 +204,7 @@ def rates_each(beta, eta, field_angle, basin, centre, half_width, sine, near, fa
         bent = eta * (1 + 2 * cosine * cosine) * each_sin(2 * there.lean) * sine
         excess = far * sine * sine * cosine - 2 * there.stiffness * cosine * cosine - bent
     split, rate = excess < 0, each_sqrt(product + larger(excess, 0))
-    if any_of(split):
+    if each_any_of(split):
         mean = -(2 * beta * cos_middle + eta * cosine * cos_double)
         apart = mean_less_field_each(eta, basin, centre, half_width, near, far, height, there, mean)
         rate = each_pick(split, sine * each_sqrt(apart * (mean + eta) / each_pick(split, product - excess, 1)), rate)
@@ -220,7 +220,7 @@ def mean_less_field_each(eta, basin, centre, half_width, near, far, height, ther
         return larger(
             each_pick(close, far - 2 * eta * each_sin(there.lean) * each_sin(there.lean), apart), epsilon() * far / 4
         )
-    if any_of(close):
+    if each_any_of(close):
         # 2(axis − α), and 2(middle − α).
         axis = each_atan2(basin.axis.double_sine, basin.axis.double_cosine)
         double = wrapped_each(axis + 2 * centre)
@@ -228,7 +228,7 @@ def mean_less_field_each(eta, basin, centre, half_width, near, far, height, ther
         by_far, by_near = far - 2 * eta * ahead * ahead, near - 2 * eta * behind * behind
         known = each_pick(2 * by_far > far, by_far, by_near)
         far_off = close & (2 * by_far <= far) & (2 * by_near <= near)
-        if any_of(far_off):
+        if each_any_of(far_off):
             # Not from a well that is far from where V is nearly level: there V tells least.
             told, turn = each_pick(near < far, by_near, by_far), ahead * behind
             there = above_field_each(eta, basin, wrapped_each(-axis - centre), turn, height)

@@ -2,13 +2,13 @@
 
 Emitted by `derive emit` from kernels/pieces.py: do not edit, change that file.
 
-Digest of the inputs: sha256 97926e56775c6fc9f38b860801f22a8d20fd4e799f5873c49a190bfa65c16586
+Digest of the inputs: sha256 245495b1da98fbcdf70626f20a3a6d1d757509265b01f10a52e4b97d84c391d7
 """
 
 from __future__ import annotations
 
 from derive.emit.kernels.arithmetic import pi
-from derive.emit.kernels.array_arithmetic import any_of, each_abs, each_pick, larger
+from derive.emit.kernels.array_arithmetic import each_abs, each_any_of, each_pick, larger
 from derive.emit.kernels.ground_each import ground_of_each
 from derive.emit.kernels.levels_each import fall_each, onward_each, reach_each, turn_to_each
 from derive.emit.kernels.pieces import Basin, Piece
@@ -168,7 +168,7 @@ def piece_of_each(basin, low_kind, high_kind, low_offset, width, high_depth, cla
     rest, offset = rests[0], at[0]
     for other, distance in zip(rests[1:], at[1:], strict=False):
         closer = each_abs(distance) < each_abs(offset)
-        if any_of(closer):
+        if each_any_of(closer):
             rest, offset = pick_rest_each(closer, other, rest), each_pick(closer, distance, offset)
     beyond, last = at[len(rests) - 2 : len(rests)]
     ends = low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap
