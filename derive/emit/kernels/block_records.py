@@ -44,9 +44,7 @@ def rows(record, which):
 
 
 def put_rows(record, which, other):
-    """The record with other values for some of the rods, in its own arrays; the other record if there is none yet."""
-    if record is None:
-        return other
+    """The record with other values for some of the rods, in its own arrays."""
     for part, values in zip(record, other, strict=True):
         if isinstance(part, ndarray):
             part[which] = values

@@ -87,19 +87,20 @@ def approached(function, given, left, right, value_left, value_right, steps, spr
     """
     parts = []
     for start in range(0, max(left.size, 1), AT_ONCE):
-        some, *ends = rows((given, left, right, value_left, value_right), slice(start, start + AT_ONCE))
-        parts.append(nearer(function, some, *ends, steps, spread))
-    place, slope, move, ends = joined(parts)
+        some = rows((given, left, right, value_left, value_right), slice(start, start + AT_ONCE))
+        parts.append(nearer(function, some, steps, spread))
+    place, slope, move, (left, right, value_left, value_right) = joined(parts)
     far = flatnonzero(abs(move) > MOVING) if again else zeros(0, dtype=int)
     if far.size:
-        some, *ends = rows((given, *ends), far)
-        place[far], slope[far] = approached(function, some, *ends, steps, spread, again - 1)
+        given, left, right, value_left, value_right = rows((given, left, right, value_left, value_right), far)
+        again -= 1
+        place[far], slope[far] = approached(function, given, left, right, value_left, value_right, steps, spread, again)
     return place, slope
 
 
-def nearer(function, given, left, right, value_left, value_right, steps, spread):
-    """``approached`` after some steps: places, slopes, the last move, and the new ends."""
-    a, b, value_a, value_b = left, right, value_left, value_right
+def nearer(function, some, steps, spread):
+    """``approached`` after some steps, of a record and ends: places, slopes, the last move, and the new ends."""
+    given, a, b, value_a, value_b = some
     slope = (value_a - value_b) / (a - b)
     fraction = full(a.shape, 0.5, dtype=a.dtype)
     secant = value_a / (value_a - value_b)
@@ -155,12 +156,12 @@ def polished(some, brackets, place, slope, secants, ease):
     wanted, crossed = brackets.range, (brackets.value_left > 0) != (brackets.value_right > 0)
     some, brackets, place, slope = rows((some, brackets, place, slope), crossed)
     least, most = minimum(brackets.left, brackets.right) - 0.01, maximum(brackets.left, brackets.right) + 0.01
-    value, before, todo, found = full(place.shape, nan), place.copy(), arange(place.size), None
-    settled = zeros(place.shape, dtype=bool)
+    value, before, todo = full(place.shape, nan), place.copy(), arange(place.size)
+    settled, found = zeros(place.shape, dtype=bool), Times(None, None, None, None)
     for turn in range(8):
         here, branch = (some, brackets) if todo.size == place.size else rows((some, brackets), todo)
         at, times = place[todo], times_at(here, place[todo])
-        found = put_rows(found, todo, times)
+        found = put_rows(found, todo, times) if turn else times
         now = surplus(times.swing, times.arrival, branch.turns, branch.sign, here.rods.length)
         slope[todo] = steep = secant_slope(at, before[todo], now, value[todo], slope[todo])
         value[todo], before[todo], step = now, at, now / steep
