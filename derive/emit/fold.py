@@ -15,7 +15,7 @@ from typing import Any
 import sympy
 from sympy import Integer, S
 
-from derive.emit.trees import walk
+from derive.emit.trees import Transformer, walk
 from derive.emit.values import Exact, decide, exact, truth, value_of
 
 _OPERATIONS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
@@ -48,7 +48,7 @@ _FUNCTIONS: dict[str, Callable[[Any], Any]] = {
 } | {"abs": sympy.Abs, "isfinite": lambda value: S.true}
 
 
-class _Folder(ast.NodeTransformer):
+class _Folder(Transformer):
     """Replaces folded names by their values and works out what follows."""
 
     def __init__(
