@@ -6,11 +6,20 @@ Emitting a module looks at every node of some hundred definitions in every round
 from __future__ import annotations
 
 import ast
+import operator
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any, TypeVar
 
 Tree = TypeVar("Tree", bound=ast.AST)
+# What an operator of the syntax does to two values.
+OPERATIONS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.Pow: operator.pow,
+}
 
 
 def walk(node: ast.AST) -> Iterator[Any]:
