@@ -7,11 +7,20 @@ which hold nothing themselves, are passed over: they are a third of all nodes.
 from __future__ import annotations
 
 import ast
+import operator
 from collections.abc import Callable
 from functools import cache
 from typing import Any, ClassVar, TypeVar
 
 Tree = TypeVar("Tree", bound=ast.AST)
+# What an operator of the syntax does to two values.
+OPERATIONS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.Pow: operator.pow,
+}
 
 _WITHOUT_NODES = frozenset(
     ("ctx", "op", "ops", "id", "attr", "arg", "name", "asname", "module", "level", "kind", "type_comment", "simple")
