@@ -109,21 +109,13 @@ def aimed(problem: Problem, options: argparse.Namespace) -> int:
     except ValueError as error:
         raise MistakeError(str(error)) from error
     hits = [hit for hit in reach.hits if options.max_index is None or hit.equilibrium.index <= options.max_index]
-    title, unit = aim.label(problem, name)
-    ends = [aim.outward(problem, name, end) for end in (low, high)]
-    span = f"{title} from {ends[0]:.6g} to {ends[1]:.6g}{f' {unit}' if unit else ''}"
     seen = [problem.angle(x) if coordinate == "tip_angle" else x for x in (reach.low, reach.high)]
-    shown = {"y": "y", "z": "z", "tip_angle": "θ(ℓ)"}[coordinate]
-    between = f"over {span} the tip's {shown} lies between {seen[0]:.5g} and {seen[1]:.5g}"
+    between = within(problem, name, (low, high), coordinate, seen)
     if not hits:
-        better = " with --max-index left out" if reach.hits else ""
-        more = f"; it is reached{better}" if better else "; choose a target in there, or another --range or --vary"
-        raise MistakeError(
-            f"--target {options.target}: no {'such ' if better else ''}equilibrium has it: {between}{more}"
-        )
-    console = show.console()
+        raise unreached(options.target, between, lost=bool(reach.hits))
+    title, unit = aim.label(problem, name)
     count = "1 setting" if len(hits) == 1 else f"{len(hits)} settings"
-    console.print(escape(f"{count} with {options.target}; {between}"), soft_wrap=True)
+    show.console().print(escape(f"{count} with {options.target}; {between}"), soft_wrap=True)
     hits.sort(key=lambda hit: (hit.equilibrium.index, hit.parameter))
     rows = [
         {"number": k, title.replace(" ", "_"): aim.outward(problem, name, hit.parameter), name: hit.parameter}
@@ -138,6 +130,23 @@ def aimed(problem: Problem, options: argparse.Namespace) -> int:
         data["epsilon"] = smallness(problem, [hit.equilibrium for hit in hits])
     commands.save(options.json, data | {"reachable": seen, "degrees": problem.in_degrees, "solutions": rows})
     return 0
+
+
+def within(problem: Problem, name: str, limits: Sequence[float], coordinate: str, seen: Sequence[float]) -> str:
+    """Between what the tip is while a load goes from one limit to the other."""
+    title, unit = aim.label(problem, name)
+    low, high = (aim.outward(problem, name, end) for end in limits)
+    span = f"{title} from {low:.6g} to {high:.6g}{f' {unit}' if unit else ''}"
+    shown = {"y": "y", "z": "z", "tip_angle": "θ(ℓ)"}[coordinate]
+    return f"over {span} the tip's {shown} lies between {seen[0]:.5g} and {seen[1]:.5g}"
+
+
+def unreached(target: str, between: str, *, lost: bool) -> MistakeError:
+    """What is wrong with a target. lost: equilibria of a larger index than is asked for have it."""
+    such, more = "", "choose a target in there, or another --range or --vary"
+    if lost:
+        such, more = "such ", "it is reached with --max-index left out"
+    return MistakeError(f"--target {target}: no {such}equilibrium has it: {between}; {more}")
 
 
 def cells(row: dict[str, Any], problem: Problem, *first: str) -> list[str]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import inspect
 import math
+from collections.abc import Collection, Sequence
 from types import ModuleType
 
 
@@ -32,14 +33,19 @@ def parameters(scene: str, module: ModuleType, values: dict[str, float]) -> dict
     """The numbers that a module needs; MistakeError if one is missing or too many."""
     known = inspect.signature(module.equilibria).parameters.values()
     wanted = [one.name for one in known if one.kind is not one.KEYWORD_ONLY]
+    must_be_these(scene, wanted, values)
+    return {name: values[name] for name in wanted}
+
+
+def must_be_these(scene: str, wanted: Sequence[str], given: Collection[str]) -> None:
+    """MistakeError for a parameter of a scene that is missing, or that it does not have."""
     needs = f"scene '{scene}' needs {', '.join(map(spelled_option, wanted))}"
     for name in wanted:
-        if name not in values:
+        if name not in given:
             raise MistakeError(f"{spelled_option(name)} is missing; {needs}")
-    for name in values:
+    for name in given:
         if name not in wanted:
             raise MistakeError(f"{spelled_option(name)} is no parameter here; {needs}")
-    return {name: values[name] for name in wanted}
 
 
 def spelled_option(name: str) -> str:

@@ -28,7 +28,7 @@ REPORT = (*PRINTED, *sorted((HERE / "report").glob("*.py")))
 EMIT = (*CHECK, HERE / "emit", HERE / "resources.py")
 REFERENCE = tuple(HERE / "measure" / f"{name}.py" for name in ("taylor", "reference", "scan", "rods"))
 FOLDS = (*REFERENCE, *(HERE / "measure" / f"{name}.py" for name in ("counts", "folds", "fold_references")))
-EXCHANGES = (*FOLDS, HERE / "measure" / "exchange_references.py")
+EXCHANGES = (*FOLDS, *(HERE / "measure" / f"{name}.py" for name in ("exchanges", "exchange_references")))
 AGREEMENT = (
     *EXCHANGES,
     *(HERE / "measure" / f"{name}.py" for name in ("agreement", "fold_agreement", "sweeps", "loading")),

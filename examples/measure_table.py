@@ -14,7 +14,7 @@ from pathlib import Path
 from verdict_tables import replace
 
 from derive.measure.bench import atlas, growth, ratios, stability
-from derive.measure.bench.tables import readme_rows
+from derive.measure.bench.tables import markdown, readme_rows
 
 ROOT = Path(__file__).resolve().parent.parent
 README, GUIDES = ROOT / "README.md", ROOT / "docs"
@@ -25,6 +25,7 @@ PICTURES = {
     "atlas-loads_parallel.svg": "atlas-loads.svg",
     "atlas-stiff.svg": "atlas-stiff.svg",
 }
+WORST = 12  # formulas in the guide
 FAMILIES = ("tasks", "growth", "atlas", "stability")
 
 
@@ -42,9 +43,9 @@ def main(source: Path, readme: Path = README, guides: Path = GUIDES) -> str:
     pages = (
         (readme, "measure", rows),
         (guides / "measure.md", "ratios", ratios.table(records["tasks"])),
-        (guides / "measure.md", "growth", growth.table(records["growth"])),
-        (guides / "extremes.md", "atlas", atlas.table(records["atlas"])),
-        (guides / "extremes.md", "stability", stability.worst_table(records["stability"])),
+        (guides / "measure.md", "growth", markdown(growth.HEAD, growth.rows(records["growth"]))),
+        (guides / "extremes.md", "atlas", markdown(atlas.HEAD, atlas.rows(records["atlas"]))),
+        (guides / "extremes.md", "stability", markdown(stability.HEAD, stability.rows(records["stability"])[:WORST])),
     )
     for page, name, _ in pages:
         text = page.read_text(encoding="utf-8")

@@ -89,12 +89,31 @@ def measured() -> dict[str, Any]:
     }  # fmt: skip
     peer = {**task, "method": "peer", "group": "peer", "errors": {**task["errors"], "worst": 3e-7, "spurious": 1}}
     nothing = {**task, "method": "none", "whole": False, "errors": {**task["errors"], "worst": None, "found": 0}}
-    grown = {"key": "growth/a", "series": "a shape", "variable": "points", "value": 100, "seconds": time, "bytes": None}
+    grown = {
+        "key": "growth/a",
+        "series": "a shape",
+        "variable": "points",
+        "value": 100,
+        "amount": 100,
+        "seconds": time,
+        "bytes": None,
+    }
+    far = {**grown, "value": 200, "amount": 200, "seconds": {**time, "median": 8e-3}}
+    solver = {"solver": "ours", "bounds": 0.5, "ulps": 2.0, "quantity": "y", "failures": []}
+    lost = {**solver, "solver": "literal", "bounds": None, "failures": [HOSTILE]}
+    point = {
+        "map": "loads", "title": HOSTILE, "labels": [HOSTILE, "η"], "shape": [1, 1], "row": 0, "column": 0,
+        "at": ["1", "2"], "solvers": [solver, lost],
+    }  # fmt: skip
+    called = {"excess": 0.5, "loss": 2.0, "condition": 3.0}
+    search = {"name": HOSTILE, "operations": 5, "rod": {"beta": 1.0, "eta": 0.0, "length": 2.0, "clamp_angle": 1.0}}
     return {
         "about": {"mode": "quick", "machine": {"cores": 2}, "versions": {"python": "3"}, "commit": "abc"},
         "records": {
             "tasks": [task, peer, nothing],
-            "growth": [grown],
+            "growth": [grown, far],
+            "atlas": [point],
+            "stability": [{**search, "called": called}],
             "extremes": [{"rod": HOSTILE, "errors": {"y": 1e-9}}],
         },
         "failed": {"tasks/T9": HOSTILE},

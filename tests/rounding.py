@@ -1,6 +1,6 @@
 """What rounding can do to the angle at which a motion is after the length of a short rod: the bound of docs/solver.md.
 
-Values carry how large they may be and how wrong; ``block_shots.wp_of_one`` itself is run on them.
+Values carry how large they may be and how wrong; ``block_arrivals.wp_of_one`` itself is run on them.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from derive.emit.kernels.block_shots import wp_of_one
+from derive.emit.kernels.block_arrivals import wp_of_one
 
 
 @dataclass
@@ -83,7 +83,7 @@ def most_wp(slow: float, z: float) -> float:
 
 
 def error_bound(slow: float, kind: Any) -> float:
-    """By how much ``block_shots.miss`` may be wrong, in radians, on rods with ℓ√(β + η) up to ``slow``."""
+    """By how much ``block_arrivals.miss`` may be wrong, in radians, on rods with ℓ√(β + η) up to ``slow``."""
     unit, soft, growth = float(np.finfo(kind).eps) / 2 * 1.001, slow**2, cosh(slow) - 1
     number = 2 if kind is np.float32 else 4
     places = [0.5**k for k in range(number, 0, -1)]

@@ -12,15 +12,8 @@ import pytest
 from derive.emit.kernels.exchanges import Exchange, all_exchanges
 from derive.measure.agreement import ROUNDINGS, Agreement
 from derive.measure.exchange_agreement import enter_exchanges
-from derive.measure.exchange_references import (
-    FORCES,
-    QUANTITIES,
-    ExchangeList,
-    exchange_references,
-    levels,
-    matched,
-    refined,
-)
+from derive.measure.exchange_references import FORCES, ExchangeList, exchange_references, levels, matched
+from derive.measure.exchanges import QUANTITIES, refined
 from derive.measure.folds import NoFoldError
 from derive.measure.rods import PAPER, rods
 from generated import bifurcation_numpy

@@ -337,7 +337,7 @@ def test_the_readme_s_table_is_written_from_a_full_run(tmp_path: Path, monkeypat
     assert "| solve_bvp, tol 1e-8 |" in guide.read_text(encoding="utf-8")
     assert "| points^2.00 |" in guide.read_text(encoding="utf-8")
     assert "| tiny | scipy.special.ellipj | 1 |" in extremes.read_text(encoding="utf-8")
-    assert "| `half_rest` | 5 | 2 | 3 | 0.5 | beta=1.0" in extremes.read_text(encoding="utf-8")
+    assert "| half_rest | 5 | 2 | 3 | 0.5 | beta=1.0" in extremes.read_text(encoding="utf-8")
     assert text.startswith("before\n")
     assert "old" not in text
     source.write_text(json.dumps(found | {"records": families | {"tasks": records[1:], "atlas": []}}), encoding="utf-8")

@@ -11,10 +11,14 @@ import pytest
 from mpmath import mp, mpf
 
 from derive.emit.kernels.equilibria import all_equilibria
-from derive.emit.kernels.landscape import landscape
-from derive.measure.agreement import natural_size
+from derive.emit.kernels.ground import clamp_in
+from derive.emit.kernels.landscape import landscape, mirror_landscape
+from derive.emit.kernels.pieces import pieces
+from derive.emit.kernels.places import places
+from derive.emit.kernels.search import delays, sample_at
+from derive.measure.agreement import answers, natural_size
 from derive.measure.counts import count
-from derive.measure.hard import SIZES, ULP, hardness, wrong_in_kind
+from derive.measure.hard import SIZES, ULP, Hardness, compare, hardness, reference, wrong_in_kind
 from derive.measure.reference import Rod, solve
 from derive.measure.segments import Load
 from derive.measure.suites import Case
@@ -30,6 +34,68 @@ def test_rods_beside_merging_directions_keep_their_bounds(rod: Rod) -> None:
     found = hardness(kernel_module, [Case("", "", rod)], most=1)  # type: ignore[arg-type]  # all that is looked at
     assert not found.faults
     assert max(worst.by for worst in found.bounds.values()) <= 1
+
+
+def test_a_rod_that_rests_beside_a_shoulder_keeps_its_bounds() -> None:
+    rod, result = Rod(0.97813, 1.868753805187402, 11.81, 5.060506112648607, 1.0438), Hardness()
+    found = min(kernel_module.equilibria(**vars(rod)), key=lambda one: abs(one.tip_angle - 1.5598))
+    refined = reference(kernel_module, rod, found)  # type: ignore[arg-type]  # all that is looked at
+    compare(result, Case("", "", rod), refined, answers(kernel_module, found, rod))  # type: ignore[arg-type]
+    assert refined.reference.index == found.index
+    assert max(worst.by for worst in result.bounds.values()) <= 1  # it was 113
+
+
+def inside_the_astroid(rng: random.Random) -> Rod:
+    """A rod with a shoulder, clamped anywhere, or beside it."""
+    angle, beta = rng.uniform(0.01, 1.56), 10 ** rng.uniform(-3, 1)
+    ratio = (sin(angle) ** (2 / 3) + cos(angle) ** (2 / 3)) ** 1.5
+    eta = beta * ratio * (1 - 10 ** rng.uniform(-17, -0.5))
+    beside = pi + angle + atan(tan(angle) ** (1 / 3)) + rng.choice([-1, 1]) * 10 ** rng.uniform(-17, 0)
+    side = rng.choice([-1, 1])
+    clamp = side * rng.choice([beside, rng.uniform(-pi, 3 * pi)])
+    return Rod(beta, eta, rng.uniform(5, 300) / sqrt(beta + eta), clamp, side * angle)
+
+
+def test_ranges_meet_at_the_level_of_a_shoulder_with_the_same_lengths() -> None:
+    """Else a whole number of half-swings could lie between them, or in both."""
+    rng, met = random.Random(5), 0
+    for _ in range(300):
+        rod = inside_the_astroid(rng)
+        scene = landscape(rod.beta, rod.eta, abs(rod.field_angle))
+        scene = scene if rod.field_angle > 0 else mirror_landscape(scene)
+        ground = pieces(rod.beta, rod.eta, rod.field_angle, scene, clamp_in(scene.rests, rod.clamp_angle))
+        for below, above in pairwise(ground):
+            if "shoulder" in (below.high_kind, above.low_kind):
+                met += 1
+                loads = rod.beta, rod.eta, rod.field_angle
+                ends = places(*loads, rod.length, below)[-1], places(*loads, rod.length, above)[0]
+                one, other = (
+                    sample_at(*loads, piece, delays(piece), end)
+                    for piece, end in zip((below, above), ends, strict=True)
+                )
+                assert (one.swing, one.arrival) == (other.swing, other.arrival), rod
+    assert met > 50
+
+
+# β, η, length, clamp, field angle, and the number at 50 digits: 79, 51 and 233 were found when rounding hid the level.
+COUNTED = [
+    (0.5095570661991968, 0.9997007538462989, 124.49174803366071, -4.9386221777547386, -0.9543400304718245, 77),
+    (0.06905948388509622, 0.09932875420461525, 179.59722518831353, 10.064360542608334, 0.15007475272716508, 49),
+    (0.34907721451626983, 0.620893864446304, 257.08940251534085, 8.664275183300678, -1.1909300749106686, 235),
+]
+
+
+@pytest.mark.parametrize("row", COUNTED, ids=str)
+def test_rounding_beside_a_shoulder_neither_makes_nor_hides_equilibria(row: tuple[float, ...]) -> None:
+    *rod, number = row
+    assert len(all_equilibria(*rod, None)) == number
+
+
+def test_long_rods_beside_a_shoulder_have_indices_that_alternate() -> None:
+    rng = random.Random(6)
+    for _ in range(25):
+        rod = inside_the_astroid(rng)
+        assert not wrong_in_kind(kernel_module.equilibria(**vars(rod)), None), rod
 
 
 def close_to_each_other(seed: int) -> tuple[float, float, float]:

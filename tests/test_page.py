@@ -19,6 +19,7 @@ from derive.paper.text_claims import load_claims
 from derive.report.page import chart, document, modules
 from derive.report.page import measured as tables
 from derive.report.page.elements import CORE, element
+from derive.report.page.heat import colour
 from derive.report.page.words import anchor
 from derive.resources import shipped_scenes
 from derive.runner import Runner
@@ -43,7 +44,7 @@ KNOWN = {
     ),
     *("h1", "h2", "h3", "h4", "h5", "ul", "li", "dl", "dt", "dd", "a", "b", "del", "ins", "pre", "code", "figure"),
     *("p", "table", "thead", "tbody", "tr", "th", "td", "details", "summary", "script"),
-    *("form", "label", "input", "select", "option", "output", "svg", "path", "line", "polyline", "text"),
+    *("form", "label", "input", "select", "option", "output", "svg", "g", "path", "rect", "line", "polyline", "text"),
 }
 
 
@@ -214,14 +215,26 @@ def test_measurements_are_tables_and_pictures() -> None:
     shown = tables.measured(measured())
     assert shown is not None
     titles = [one["title"] for one in shown["tables"]]
-    assert titles == [f"T1: {HOSTILE}", "How time and memory grow", "Extremes"]
-    first, _, last = shown["tables"]
+    maps = f"Extremes: {HOSTILE}"
+    assert titles == [f"T1: {HOSTILE}", "How time and memory grow", maps, "Stability of the formulas", "Extremes"]
+    first, grown, atlas, searches, last = shown["tables"]
+    assert grown["rows"] == [["a shape", "points", "100 … 200", "2 ms … 8 ms", "points^2.00", "–", "–"]]
+    assert atlas["rows"][0] == ["loads", "ours", "1", "0.5", "0.5", "2", "none"]
+    assert atlas["picture"].count("<rect") == 2
+    assert atlas["picture"].count('class="cross"') == 1  # the one that failed
+    assert searches["rows"][0][:5] == [HOSTILE, "5", "2", "3", "0.5"]
     assert [row[2:5] for row in first["rows"]] == [
         ["1e-15", "3 of 3", "2 ms"], ["3e-07", "3 of 3, 1 more", "2 ms"], ["–", "0 of 3", "2 ms"],
     ]  # fmt: skip
     assert first["picture"].count("<title>") == 4  # two points, and two names below
     assert last == {"title": "Extremes", "picture": "", "columns": ["rod", "errors y"], "rows": [[HOSTILE, "1e-09"]]}
     assert "A quick run" in whole()
+
+
+def test_colours_of_a_map_end_where_no_digit_is_right() -> None:
+    assert [colour(bounds) for bounds in (1e-9, 0.1, 1e16, 1e300)] == ["#00224e", "#00224e", "#fee838", "#fee838"]
+    assert colour(10**7.5) == "#7c7b78"
+    assert colour(None) == "#ffffff"
 
 
 def test_axes_span_whole_decades() -> None:

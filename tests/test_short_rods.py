@@ -9,7 +9,7 @@ import pytest
 from test_shots import COUNT, short_rods
 
 from derive.emit.kernels import equilibria as kernel
-from derive.emit.kernels.block_shots import load_of, miss
+from derive.emit.kernels.block_arrivals import load_of, miss
 from derive.emit.kernels.equilibria import all_equilibria
 from derive.emit.kernels.shots import SHORT_SLOW, miss_of, samples_apart, tip_shots, zeros_between
 from derive.measure.counts import count

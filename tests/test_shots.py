@@ -10,8 +10,9 @@ import pytest
 
 from derive.emit.kernels import array_arithmetic as arrays
 from derive.emit.kernels import blocks
+from derive.emit.kernels.block_arrivals import load_of, miss
 from derive.emit.kernels.block_pieces import Rods
-from derive.emit.kernels.block_shots import SHOT_SLOW, load_of, miss, shots_of
+from derive.emit.kernels.block_shots import SHOT_SLOW, shots_of
 from derive.emit.kernels.blocks import sweep_arrays
 from derive.emit.kernels.equilibria import all_equilibria
 

@@ -15,7 +15,7 @@ import sympy as sp
 from mpmath import mp
 
 from derive.check.evaluate import UndefinedError, evaluate, magnitude
-from derive.check.refute import Trial, shown
+from derive.check.refute import Trial, shown, tried
 from derive.check.sample import ExactPoint, Sampler
 from derive.theory.claims import Claim, Domain, Limit, Order
 
@@ -39,20 +39,12 @@ def refute(claim: Claim) -> Trial:
         tests = [partial(_falls_short, relation, entry) for entry in expressions]
         domain = Domain({x: ends for x, ends in domain.ranges.items() if x != relation.variable})
     sampler = Sampler(expressions, domain, claim.given, seed=2)
-    done, reason = 0, "the domain seems empty"
-    for point in sampler.points(3 * POINTS):
-        try:
-            found = next((text for text in (test(point) for test in tests) if text), None)
-        except UndefinedError as error:
-            reason = str(error)
-            continue
-        done += 1
-        if found:
-            return Trial(found, done)
-        if done == POINTS:
-            break
-    special = _special(relation, sampler, tests) if done and isinstance(relation, Limit) else None
-    return Trial(special, done, "" if done else f"no point can be evaluated: {reason}")
+    trial = tried(
+        sampler.points(3 * POINTS), POINTS, lambda point: next((text for test in tests if (text := test(point))), None)
+    )
+    if trial.counterexample is None and trial.points and isinstance(relation, Limit):
+        return Trial(_special(relation, sampler, tests), trial.points)
+    return trial
 
 
 def _special(relation: Limit, sampler: Sampler, tests: Sequence[Any]) -> dict[str, str] | None:

@@ -6,7 +6,7 @@ the two sides up, and if doubling the digits leaves it as it is.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -109,11 +109,24 @@ def refute(claim: Claim, points: int | None = None, seed: int = 1) -> Trial:
         raise TypeError(f"no pointwise test for {type(relation).__name__}")
     points = points or POINTS
     sampler = Sampler(expressions, claim.domain, claim.given, seed)
-    done, drawn, reason = 0, 0, "the domain seems empty"
-    for point in sampler.points(max(TRIES, 3 * points)):
-        drawn += 1
+    drawn = sampler.points(max(TRIES, 3 * points))
+    if isinstance(relation, Equal):
+        return tried(drawn, points, lambda point: _equal_at(entries, point))
+    trial = tried(drawn, points, lambda point: _sign_fails(relation, point))
+    if trial.counterexample is None and trial.points:
+        for point in sampler.zeros([relation.expr], ZEROS):
+            found = _sign_fails(relation, point)
+            if found:
+                return Trial(found, trial.points)
+    return trial
+
+
+def tried(drawn: Iterable[ExactPoint], points: int, test: Callable[[ExactPoint], dict[str, str] | None]) -> Trial:
+    """A test at as many points as are asked for, of those at which it has a value; the first that fails ends it."""
+    done, reason = 0, "the domain seems empty"
+    for point in drawn:
         try:
-            found = _equal_at(entries, point) if isinstance(relation, Equal) else _sign_fails(relation, point)
+            found = test(point)
         except UndefinedError as error:
             reason = str(error)
             continue
@@ -122,9 +135,4 @@ def refute(claim: Claim, points: int | None = None, seed: int = 1) -> Trial:
             return Trial(found, done)
         if done == points:
             break
-    if not isinstance(relation, Equal) and done:
-        for point in sampler.zeros([relation.expr], ZEROS):
-            found = _sign_fails(relation, point)
-            if found:
-                return Trial(found, done)
     return Trial(None, done, "" if done else f"no point can be evaluated: {reason}")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from derive.numbers import MistakeError, must_be_possible, number, spelled_option
+from derive.numbers import MistakeError, must_be_possible, must_be_these, number, spelled_option
 
 LOADS = ("beta", "eta", "length", "clamp_angle", "field_angle")
 FEWEST, MOST = 2, 1_000_000
@@ -26,13 +26,7 @@ def request(scene: str, wanted: tuple[str, ...], texts: Mapping[str, str | None]
     A number fixes a parameter, low:high:points lets it vary, several numbers with commas make a family of curves.
     """
     given = {name: text for name, text in texts.items() if text is not None}
-    needs = f"scene '{scene}' needs {', '.join(map(spelled_option, wanted))}"
-    for name in wanted:
-        if name not in given:
-            raise MistakeError(f"{spelled_option(name)} is missing; {needs}")
-    for name in given:
-        if name not in wanted:
-            raise MistakeError(f"{spelled_option(name)} is no parameter here; {needs}")
+    must_be_these(scene, wanted, given)
     varying = [name for name in wanted if ":" in given[name]]
     several = [name for name in wanted if "," in given[name]]
     if len(varying) != 1 or len(several) > 1:

@@ -26,7 +26,7 @@ def drop_carried(pieces: Mapping[str, Piece], reached: Collection[str]) -> None:
 
 def _read(node: ast.AST) -> set[str]:
     """Attributes that are loaded, and keywords of calls of anything but the results themselves."""
-    parts = list(walk(node))
+    parts = walk(node)
     found = {n.attr for n in parts if isinstance(n, ast.Attribute) and isinstance(n.ctx, ast.Load)}
     for call in (n for n in parts if isinstance(n, ast.Call)):
         if not (isinstance(call.func, ast.Name) and call.func.id in KNOWN_BY):

@@ -9,7 +9,7 @@ from typing import Any
 
 from derive.emit.errors import DifferentValueError, EmitError
 from derive.emit.pieces import Piece, bound_names
-from derive.emit.trees import walk
+from derive.emit.trees import Transformer, walk
 from derive.emit.values import value_of
 
 
@@ -42,7 +42,7 @@ def _names_one_of(node: ast.AST, names: Collection[str]) -> bool:
     return any(isinstance(part, ast.Name) and part.id in names for part in walk(node))
 
 
-class _Definitions(ast.NodeTransformer):
+class _Definitions(Transformer):
     """Removes parameters and fields from definitions."""
 
     def __init__(self, piece: Piece, own: set[str], everywhere: set[str]) -> None:
@@ -102,7 +102,7 @@ def _remove(arguments: ast.arguments, gone: Collection[str]) -> None:
     arguments.kwonlyargs, arguments.kw_defaults = [a for a, _ in rest], [d for _, d in rest]
 
 
-class _Calls(ast.NodeTransformer):
+class _Calls(Transformer):
     """Removes arguments from calls."""
 
     def __init__(
@@ -116,7 +116,7 @@ class _Calls(ast.NodeTransformer):
     ) -> None:
         self.piece, self.pieces, self.drops, self.everywhere = piece, pieces, drops, everywhere
         self.folded, self.different = folded, different
-        parts = list(walk(piece.node))
+        parts = walk(piece.node)
         self.bound = bound_names(piece.node, parts)  # what a local name hides
         self.inner = {
             node.name: tuple(a.arg for a in node.args.args)

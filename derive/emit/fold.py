@@ -8,27 +8,29 @@ against a folded value: a kernel's own checks of its arguments survive.
 from __future__ import annotations
 
 import ast
-import operator
 from collections.abc import Callable, Collection, Mapping
 from typing import Any
 
 import sympy
 from sympy import Integer, S
 
-from derive.emit.trees import walk
+from derive.emit.trees import OPERATIONS, Transformer, walk
 from derive.emit.values import Exact, decide, exact, truth, value_of
 
-_OPERATIONS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
-    ast.Add: operator.add,
-    ast.Sub: operator.sub,
-    ast.Mult: operator.mul,
-    ast.Div: operator.truediv,
-    ast.Pow: operator.pow,
-}
 # Functions that give back their last argument when it is a constant within its domain: real(name, value) and the like,
 # and what takes a part of an array, or asks whether any element holds, where all are one and the same.
 _CHECKS = ("real", "not_negative", "positive")
-_IDENTITIES = ("float", "mpf", "slab", "element", "any_of", "any", *_CHECKS, *(f"all_{check}" for check in _CHECKS))
+_IDENTITIES = (
+    "float",
+    "mpf",
+    "slab",
+    "element",
+    "any_of",
+    "each_any_of",
+    "any",
+    *_CHECKS,
+    *(f"all_{check}" for check in _CHECKS),
+)
 _CHOICES = ("where", "pick", "each_pick")  # functions that give their second or third argument, by the first
 _TRUTHS = (S.true, S.false)
 _SCALINGS = ("ldexp",)  # functions that give back 0 for 0
@@ -38,7 +40,7 @@ _FUNCTIONS: dict[str, Callable[[Any], Any]] = {
 } | {"abs": sympy.Abs, "isfinite": lambda value: S.true}
 
 
-class _Folder(ast.NodeTransformer):
+class _Folder(Transformer):
     """Replaces folded names by their values and works out what follows."""
 
     def __init__(
@@ -79,14 +81,14 @@ class _Folder(ast.NodeTransformer):
         if not (isinstance(left, Exact) or isinstance(right, Exact)):
             return node
         a, b = value_of(left), value_of(right)
-        if a is not None and b is not None and type(node.op) in _OPERATIONS:
+        if a is not None and b is not None and type(node.op) in OPERATIONS:
             return self._both(node, a, b)
         return _identity(node, a, b)
 
     def _both(self, node: ast.BinOp, a: Any, b: Any) -> ast.expr:
         if isinstance(node.op, ast.Div) and b == 0:
             return node  # left to fail, or to be cut off, where it stands
-        result = _OPERATIONS[type(node.op)](a, b)
+        result = OPERATIONS[type(node.op)](a, b)
         simple = result.is_Rational or isinstance(node.op, (ast.Add, ast.Sub, ast.Mult, ast.Div))
         return exact(result, node) if simple and result.is_finite else node
 

@@ -13,7 +13,7 @@ from inspect import cleandoc
 from typing import Any
 
 from derive.emit.style import expression, wrap
-from derive.emit.trees import walk
+from derive.emit.trees import form, walk
 
 _BODIES = ("body", "orelse", "finalbody", "handlers")
 _INDENT = "    "
@@ -24,18 +24,12 @@ def stamp(tree: ast.AST) -> None:
     """Mark every statement with its present form, so that a later change can be seen."""
     for node in walk(tree):
         if isinstance(node, (ast.stmt, ast.excepthandler)):
-            setattr(node, _MARK, form(node))
+            setattr(node, _MARK, alone(node))
 
 
-def form(node: ast.AST) -> str:
+def alone(node: ast.AST) -> tuple[Any, ...]:
     """What a statement says, without the statements inside it."""
-    parts = [type(node).__name__]
-    for name, value in ast.iter_fields(node):
-        if name in _BODIES and not isinstance(node, ast.Lambda):
-            continue
-        values = value if isinstance(value, list) else [value]
-        parts += [name, *(ast.dump(item) if isinstance(item, ast.AST) else repr(item) for item in values)]
-    return " ".join(parts)
+    return (node.__class__, *[form(value) for name, value in ast.iter_fields(node) if name not in _BODIES])
 
 
 def lines_of(node: ast.stmt, source: Sequence[str]) -> list[str]:
@@ -102,7 +96,7 @@ class _Layout:
 
     def header(self, node: Any, indent: str) -> Iterator[str]:
         """The statement itself, or the first line of a compound one."""
-        if getattr(node, _MARK, None) == form(node):
+        if getattr(node, _MARK, None) == alone(node):
             first, last = _first_line(node) - 1, self.last_line(node)
             column = len(self.source[first]) - len(self.source[first].lstrip())
             for line in self.source[first:last]:

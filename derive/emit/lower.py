@@ -15,6 +15,7 @@ from derive.emit.backends import BACKENDS, Backend, External
 from derive.emit.errors import EmitError
 from derive.emit.pieces import Piece, bound_names
 from derive.emit.printer import Printer
+from derive.emit.trees import Transformer
 from derive.emit.values import Exact
 
 DIGITS = ("arguments", "digits")  # the kernel that says to how many digits a public function works
@@ -38,7 +39,7 @@ def lower(names: Iterable[str], pieces: Mapping[str, Piece], backend: str, publi
                 _with_precision(pieces[name])
 
 
-class _Lower(ast.NodeTransformer):
+class _Lower(Transformer):
     """Prints Exact nodes, and in an exact twin every number that a double does not hold."""
 
     def __init__(self, backend: Backend) -> None:
@@ -148,7 +149,7 @@ def _is_scalar(node: ast.AST) -> bool:
     return not any(isinstance(n, (ast.Tuple, ast.List, ast.Dict, ast.Set, ast.ListComp)) for n in ast.walk(node))
 
 
-class _Inline(ast.NodeTransformer):
+class _Inline(Transformer):
     def __init__(self, values: Mapping[str, ast.expr]) -> None:
         self.values = values
 

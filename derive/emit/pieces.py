@@ -42,7 +42,7 @@ class Piece:
 
     def uses(self) -> list[str]:
         """The global names that it loads now, each once, in the order of the source."""
-        parts = list(walk(self.node))
+        parts = walk(self.node)
         loads = [n for n in parts if isinstance(n, ast.Name) and n.id in self.names]
         loads.sort(key=lambda n: (getattr(n, "lineno", 0), getattr(n, "col_offset", 0)))
         shadowed = bound_names(self.node, parts)

@@ -6,7 +6,6 @@ The table is written apart from the printer's, and names mean what the module's 
 from __future__ import annotations
 
 import ast
-import operator
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -15,6 +14,7 @@ import sympy
 from sympy import Expr, Rational, Symbol
 
 from derive.emit.errors import EmitError
+from derive.emit.trees import OPERATIONS
 from derive.theory.functions import RC, RD, RF, RJ, wlog_sigma, wp, wp_prime, wsigma, wzeta
 
 _PACKAGES = ("math", "numpy", "mpmath")
@@ -47,13 +47,6 @@ _KERNEL_FUNCTIONS: dict[str, Callable[..., Any]] = {
 }
 _KERNEL_FILES = ("carlson", "carlson_each", "inverses", "weierstrass")
 _ARRAY_PREFIX, _ARRAY_SUFFIX = "each_", "_each"
-_OPERATIONS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
-    ast.Add: operator.add,
-    ast.Sub: operator.sub,
-    ast.Mult: operator.mul,
-    ast.Div: operator.truediv,
-    ast.Pow: operator.pow,
-}
 
 
 @dataclass(frozen=True)
@@ -138,8 +131,8 @@ class _Reader:
                 return sympy.pi
             case ast.UnaryOp(op=ast.USub()):
                 return -self.read(node.operand)
-            case ast.BinOp() if type(node.op) in _OPERATIONS:
-                return _OPERATIONS[type(node.op)](self.read(node.left), self.read(node.right))
+            case ast.BinOp() if type(node.op) in OPERATIONS:
+                return OPERATIONS[type(node.op)](self.read(node.left), self.read(node.right))
             case ast.Call(keywords=[]):
                 return self.call(node)
         raise self.error(node, "no row in the reader's table for")

@@ -12,6 +12,7 @@ from collections.abc import Iterable, Mapping
 
 from derive.emit.errors import EmitError
 from derive.emit.pieces import Piece
+from derive.emit.trees import Transformer
 
 RECORD = ("records", "Record")
 
@@ -49,7 +50,7 @@ def _without_defaults(node: ast.ClassDef) -> dict[str, ast.expr]:
     return defaults
 
 
-class _Made(ast.NodeTransformer):
+class _Made(Transformer):
     """Writes Point(x, y) as Point((x, y)), Point(*pair) as Point(pair), and type(point)(*pair) as type(point)(pair)."""
 
     def __init__(self, piece: Piece, records: Mapping[str, Piece], usual: Mapping[str, Mapping[str, ast.expr]]) -> None:

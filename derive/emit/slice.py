@@ -15,7 +15,7 @@ from derive.emit.kernel_files import Definition, KernelFiles
 from derive.emit.layout import stamp
 from derive.emit.pieces import Piece, bound_names, parameters_of
 from derive.emit.printer import formula_function
-from derive.emit.trees import copied, walk
+from derive.emit.trees import Transformer, copied, walk
 from derive.theory.claims import Formula
 
 
@@ -174,7 +174,7 @@ def _imported(external: External) -> External:
     return External(external.module, None, MODULE_ALIASES[external.module]) if external.qualified else external
 
 
-class _Renamer(ast.NodeTransformer):
+class _Renamer(Transformer):
     """Writes global names in their final form."""
 
     def __init__(self, final: Mapping[str, str | External]) -> None:

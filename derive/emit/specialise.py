@@ -22,7 +22,7 @@ from derive.emit.rebound import rebound
 from derive.emit.slice import Slicer
 from derive.emit.spread import spread
 from derive.emit.tidy import constant_locals, prune, sweep
-from derive.emit.trees import walk
+from derive.emit.trees import form, walk
 from derive.emit.values import Exact
 
 _ROUNDS = 50  # far more than any kernel needs
@@ -40,15 +40,17 @@ def specialise(slicer: Slicer, roots: Sequence[str]) -> list[str]:
     if slicer.folded:
         settler.settle()
     drop_folded(slicer)
+    before = _forms(pieces)
     for _ in range(_ROUNDS):
-        before = _forms(pieces)
-        settler.settle()
+        settler.settle(before)
         drop_carried(pieces, slicer.reach(roots))
         _drop_unused(pieces, roots)
         spread(slicer, roots)
         _take_in(slicer, kernels)
-        if _forms(pieces) == before:
+        after = _forms(pieces)
+        if after == before:
             break
+        before = after
     return _checked(slicer, slicer.reach(roots))
 
 
@@ -57,21 +59,22 @@ class _Settler:
 
     def __init__(self, kernels: Mapping[str, Piece], pieces: Mapping[str, Piece]) -> None:
         self.kernels, self.pieces = kernels, pieces
-        self.forms: dict[str, str] = {}  # of the settled kernels
+        self.forms: dict[str, Any] = {}  # of the settled kernels
         self.known: dict[str, Any] = {}
 
-    def settle(self) -> None:
-        """Go on until nothing changes."""
+    def settle(self, now: Mapping[str, Any] | None = None) -> None:
+        """Go on until nothing changes. now: the forms of all pieces, where they are known."""
         # Other steps change pieces in place between two calls.
-        self.forms = {name: form for name, form in self.forms.items() if ast.dump(self.kernels[name].node) == form}
+        now = _forms({name: self.kernels[name] for name in self.forms}) if now is None else now
+        self.forms = {name: said for name, said in self.forms.items() if now[name] == said}
         for _ in range(_ROUNDS):
             self._unsettle()
             if len(self.forms) == len(self.kernels):
                 return
             for name in [name for name in self.kernels if name not in self.forms]:
-                before = ast.dump(self.kernels[name].node)
+                before = form(self.kernels[name].node)
                 _round(self.kernels[name], self.known, self.pieces)
-                if ast.dump(self.kernels[name].node) == before:
+                if form(self.kernels[name].node) == before:
                     self.forms[name] = before
 
     def _unsettle(self) -> None:
@@ -105,8 +108,8 @@ def _take_in(slicer: Slicer, kernels: dict[str, Piece]) -> None:
             _fold(slicer, [piece])
 
 
-def _forms(pieces: Mapping[str, Piece]) -> list[str]:
-    return [ast.dump(piece.node) for piece in pieces.values()]
+def _forms(pieces: Mapping[str, Piece]) -> dict[str, Any]:
+    return {name: form(piece.node) for name, piece in pieces.items()}
 
 
 def _fold(slicer: Slicer, pieces: Collection[Piece]) -> None:
@@ -187,7 +190,7 @@ def _passed_on(pieces: Mapping[str, Piece]) -> set[str]:
     """Functions that are used otherwise than by a call with plain arguments."""
     found: set[str] = set()
     for piece in pieces.values():
-        parts = list(walk(piece.node))
+        parts = walk(piece.node)
         called = {id(n.func) for n in parts if isinstance(n, ast.Call) and not _starred(n)}
         loads = (n for n in parts if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load))
         found |= {n.id for n in loads if id(n) not in called}

@@ -16,7 +16,7 @@ from derive.emit.drop import drop_parameters
 from derive.emit.fold import fold_inside
 from derive.emit.pieces import Piece
 from derive.emit.slice import Slicer
-from derive.emit.trees import walk
+from derive.emit.trees import Transformer, walk
 from derive.emit.values import Exact, exact
 
 _MODULES = frozenset(MODULE_ALIASES.values())
@@ -117,7 +117,7 @@ def _fold_fields(pieces: Mapping[str, Piece], reached: Collection[str], name: st
     drop_parameters(pieces, {name: tuple(values)})
 
 
-class _Attributes(ast.NodeTransformer):
+class _Attributes(Transformer):
     """Replaces loads of attributes by values."""
 
     def __init__(self, values: Mapping[str, Any]) -> None:

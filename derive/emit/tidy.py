@@ -10,14 +10,14 @@ from typing import Any
 import sympy
 
 from derive.emit.backends import MODULE_ALIASES
-from derive.emit.trees import walk
+from derive.emit.trees import Transformer, walk
 from derive.emit.values import Exact
 
 _MODULES = frozenset(MODULE_ALIASES.values())
 _ENDS = (ast.Return, ast.Raise, ast.Continue, ast.Break)
 
 
-class _Pruner(ast.NodeTransformer):
+class _Pruner(Transformer):
     """Cuts branches whose test is decided, and what follows the end of a block."""
 
     def visit_If(self, node: ast.If) -> Any:
@@ -84,7 +84,7 @@ def _block(body: list[ast.stmt]) -> list[ast.stmt]:
 
 def constant_locals(function: ast.AST) -> dict[str, Any]:
     """Locals that are assigned once in the whole function, to a folded value."""
-    nodes = list(walk(function))
+    nodes = walk(function)
     stores = Counter(n.id for n in nodes if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store))
     taken = {n.arg for n in nodes if isinstance(n, ast.arg)}
     taken |= {name for n in nodes if isinstance(n, (ast.Global, ast.Nonlocal)) for name in n.names}
@@ -109,7 +109,7 @@ def _pairs(node: ast.Assign) -> list[tuple[str, ast.expr]]:
     return []
 
 
-class _Sweeper(ast.NodeTransformer):
+class _Sweeper(Transformer):
     """Removes assignments to ``names`` whose values have no effect of their own."""
 
     def __init__(self, names: Collection[str], pure: Collection[str]) -> None:

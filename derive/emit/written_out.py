@@ -13,6 +13,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from derive.emit.pieces import Piece
+from derive.emit.trees import Transformer
 
 HELPERS = ("any_of", "epsilon", "larger", "pick", "spacing")
 _FILE = "arithmetic"
@@ -38,7 +39,7 @@ def _expression(function: ast.FunctionDef) -> ast.expr | None:
     return last.value if isinstance(last, ast.Return) and (described or len(function.body) == 1) else None
 
 
-class _Writer(ast.NodeTransformer):
+class _Writer(Transformer):
     """Replaces calls; one that would have to say an argument of some length twice is left."""
 
     def __init__(self, helpers: Mapping[str, ast.FunctionDef]) -> None:
@@ -76,7 +77,7 @@ def _is_short(node: ast.expr) -> bool:
     return isinstance(node, (ast.Name, ast.Constant))
 
 
-class _Filler(ast.NodeTransformer):
+class _Filler(Transformer):
     """Puts arguments in the place of parameters."""
 
     def __init__(self, given: Mapping[str, ast.expr]) -> None:

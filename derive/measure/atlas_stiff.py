@@ -65,13 +65,8 @@ def bvp(rod: Rod, _: Any) -> Mapping[str, float]:
     return named(theta, y * rod.length, z * rod.length)
 
 
-def shooting(rod: Rod, _: Any) -> Mapping[str, float]:
-    """By scipy.integrate.solve_ivp with Radau, from the tip."""
-    from scipy.integrate import solve_ivp
-    from scipy.optimize import brentq
-
-    beta, eta = loads_of(rod)
-    sign, rate = (1 if rod.clamp_angle > 0 else -1), sqrt(beta + eta)
+def from_tip(beta: float, eta: float) -> tuple[Any, Any]:
+    """Right side and Jacobian for θ, dθ/dσ and the place, lengths over ℓ."""
 
     def right(x: float, v: Any) -> Any:
         return [v[1], beta * np.sin(v[0]) + eta / 2 * np.sin(2 * v[0]), np.cos(v[0]), np.sin(v[0])]
@@ -81,6 +76,18 @@ def shooting(rod: Rod, _: Any) -> Mapping[str, float]:
         found[0, 1], found[1, 0] = 1, beta * np.cos(v[0]) + eta * np.cos(2 * v[0])
         found[2, 0], found[3, 0] = -np.sin(v[0]), np.cos(v[0])
         return found
+
+    return right, jacobian
+
+
+def shooting(rod: Rod, _: Any) -> Mapping[str, float]:
+    """By scipy.integrate.solve_ivp with Radau, from the tip."""
+    from scipy.integrate import solve_ivp
+    from scipy.optimize import brentq
+
+    beta, eta = loads_of(rod)
+    sign, rate = (1 if rod.clamp_angle > 0 else -1), sqrt(beta + eta)
+    right, jacobian = from_tip(beta, eta)
 
     def shot(logarithm: float, furthest: float, stops: Any = None) -> Any:
         def arrives(x: float, v: Any) -> float:

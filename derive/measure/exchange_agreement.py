@@ -8,7 +8,8 @@ from types import ModuleType
 from typing import Any
 
 from derive.measure.agreement import DOUBLE, Agreement, arguments
-from derive.measure.exchange_references import QUANTITIES, ExchangeList, ExchangeReference, refined
+from derive.measure.exchange_references import ExchangeList
+from derive.measure.exchanges import QUANTITIES, ExchangeReference, refined
 from derive.measure.fold_agreement import WINDOW, enter_point
 from derive.measure.folds import NoFoldError
 from derive.measure.reference import Rod

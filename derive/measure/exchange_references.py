@@ -3,7 +3,7 @@
 With F = θ(0) − clamp angle as a function of the tip angle φ, of η and of β, a fold is F = ∂F/∂φ = 0. The β at which
 it lies, as a function of η, has the derivative −∂F/∂η/∂F/∂β; where it is greatest or least two folds of a diagram over
 η meet. Folds over β are found by counting equilibria (`counts`) for a row of values of η; where the derivative changes
-its sign from one row to the next, Newton's method on Taylor integration does the rest. No formula is shared with the
+its sign from one row to the next, `exchanges` does the rest. No formula is shared with the
 solvers. Two exchanges of one branch between neighbouring rows are not seen: `refined` confirms what a solver finds.
 """
 
@@ -17,9 +17,9 @@ from typing import Any, NamedTuple
 from mpmath import mp, mpf
 
 from derive.measure.counts import count
-from derive.measure.fold_references import BESIDE, brackets, path_of
-from derive.measure.folds import NoFoldError
-from derive.measure.reference import DIGITS, MOST_ROUNDS, Rod
+from derive.measure.exchanges import NEAR, ExchangeReference, refined
+from derive.measure.fold_references import as_texts, brackets, from_texts, path_of
+from derive.measure.reference import Rod
 
 # β and η grow until ℓ²β and ℓ²η are these.
 FORCES, FIELDS = 8.0, 6.0
@@ -27,12 +27,6 @@ ROWS = 12  # of η
 SAMPLES = 96  # of β in a row
 PARTS, ZOOMS = 12, 2  # by which a fold is narrowed down
 ROUGHLY = 16  # digits of the derivatives at it
-FURTHEST = 0.1  # by which β and η may leave a first guess, as a share of their sum
-NEAR = 0.5  # two folds of neighbouring rows whose tip angles differ by more are not of one branch
-UNKNOWNS = ("beta", "eta", "tip_angle")
-QUANTITIES = (*UNKNOWNS, "clamp_curvature", "y", "z")
-STEP = mpf(10) ** -20  # of differences: their square is beyond DIGITS
-CARRIED = DIGITS + 25
 
 
 class Level(NamedTuple):
@@ -42,19 +36,6 @@ class Level(NamedTuple):
     tip_angle: float
     change: int
     slope: float
-
-
-@dataclass(frozen=True)
-class ExchangeReference:
-    """Where two folds meet: β, η and the rod there to 40 digits, and Σ|p ∂quantity/∂p| over the inputs p.
-
-    index: the lower one of those that meet. kind: 'exchange' where F has a saddle, 'isolated' where an extremum.
-    """
-
-    values: Mapping[str, Any]
-    sensitivity: Mapping[str, float]
-    index: int
-    kind: str
 
 
 @dataclass(frozen=True)
@@ -68,17 +49,12 @@ class ExchangeList:
 
     def to_json(self) -> dict[str, Any]:
         """Plain data; numbers of 40 digits as text."""
-        rows = [asdict(one) for one in self.exchanges]
-        for row in rows:
-            row["values"] = {key: mp.nstr(number, DIGITS + 5) for key, number in row["values"].items()}
-        return {"rod": asdict(self.rod), "beta": self.beta, "eta": self.eta, "exchanges": rows}
+        return {"rod": asdict(self.rod), "beta": self.beta, "eta": self.eta, "exchanges": as_texts(self.exchanges)}
 
     @classmethod
     def from_json(cls, data: Mapping[str, Any]) -> ExchangeList:
         """The inverse of `to_json`."""
-        with mp.workdps(DIGITS + 8):
-            rows = [row | {"values": {k: mpf(text) for k, text in row["values"].items()}} for row in data["exchanges"]]
-        found = tuple(ExchangeReference(**row) for row in rows)
+        found = tuple(ExchangeReference(**row) for row in from_texts(data["exchanges"]))
         return cls(Rod(**data["rod"]), data["beta"], data["eta"], found)
 
 
@@ -133,73 +109,3 @@ def matched(before: Sequence[Level], after: Sequence[Level]) -> Iterator[tuple[L
         other = min(alike, key=lambda item: abs(item.tip_angle - one.tip_angle), default=None)
         if other is not None and abs(other.tip_angle - one.tip_angle) < NEAR:
             yield one, other
-
-
-def refined(
-    rod: Rod, beta: float, eta: float, tip_angle: float, exact: Mapping[str, Any] | None = None
-) -> ExchangeReference:
-    """The one near these loads and this tip angle, to 40 digits; NoFoldError if there is none."""
-    inputs = {name: mpf(number) for name, number in vars(rod).items()} | dict(exact or {})
-    start = unknowns = [mpf(beta), mpf(eta), mpf(tip_angle)]
-    with mp.workdps(CARRIED):
-        for _ in range(MOST_ROUNDS):
-            rows = equations(inputs, unknowns)
-            matrix = mp.matrix([derivative(inputs, unknowns, rows, name) for name in UNKNOWNS]).T
-            try:
-                step = mp.lu_solve(matrix, mp.matrix(rows))
-            except ZeroDivisionError as error:
-                raise NoFoldError(f"no two folds meet simply near β = {beta:g}, η = {eta:g} for {rod}") from error
-            unknowns = [old - change for old, change in zip(unknowns, step, strict=True)]
-            away = max(abs(new - old) for new, old in zip(unknowns[:2], start[:2], strict=True))
-            if away > FURTHEST * (start[0] + start[1]) or abs(unknowns[2] - start[2]) > NEAR:
-                raise NoFoldError(f"no two folds meet near β = {beta:g}, η = {eta:g} for {rod}")
-            if max(abs(change) for change in step) < mpf(10) ** -(DIGITS // 2 + 4):
-                break
-        else:
-            raise NoFoldError(f"Newton's method does not settle near β = {beta:g}, η = {eta:g} for {rod}")
-        return described(inputs, unknowns, matrix)
-
-
-def equations(inputs: Mapping[str, Any], unknowns: Sequence[Any]) -> list[Any]:
-    """F, ∂F/∂φ and ∂F/∂η."""
-    beta, eta, tip = unknowns
-    at = dict(inputs) | {"beta": beta}
-    low, here, high = (path_of(at | {"eta": eta + side * STEP * eta}, tip, CARRIED).clamp for side in (-1, 0, 1))
-    return [here.theta - inputs["clamp_angle"], here.h, (high.theta - low.theta) / (2 * STEP * eta)]
-
-
-def derivative(inputs: Mapping[str, Any], unknowns: Sequence[Any], rows: Sequence[Any], name: str) -> list[Any]:
-    """Of the equations, by an unknown or an input."""
-    delta = mpf(10) ** -14
-    moved, there = list(unknowns), dict(inputs)
-    if name in UNKNOWNS:
-        moved[UNKNOWNS.index(name)] += delta
-    else:
-        there[name] += delta
-    return [(new - old) / delta for new, old in zip(equations(there, moved), rows, strict=True)]
-
-
-def described(inputs: Mapping[str, Any], unknowns: Sequence[Any], matrix: Any) -> ExchangeReference:
-    """What is told of it. matrix: the equations' derivatives, a column for each unknown."""
-    beta, eta, tip = unknowns
-    at = dict(inputs) | {"beta": beta, "eta": eta}
-    index = min(path_of(at, tip + side * BESIDE).index for side in (-1, 1))
-    saddle = matrix[1, 2] * matrix[2, 1] - matrix[1, 1] * matrix[2, 2] < 0
-    values = quantities(inputs, unknowns)
-    total = dict.fromkeys(QUANTITIES, 0.0)
-    delta, rows = mpf(10) ** -14, equations(inputs, unknowns)
-    for name in (name for name in ("length", "clamp_angle", "field_angle") if inputs[name]):
-        rate = derivative(inputs, unknowns, rows, name)
-        follow = mp.lu_solve(matrix, mp.matrix([-part for part in rate]))
-        there = [old + delta * change for old, change in zip(unknowns, follow, strict=True)]
-        moved = quantities(dict(inputs) | {name: inputs[name] + delta}, there)
-        for key in QUANTITIES:
-            total[key] += float(abs(inputs[name] * (moved[key] - values[key]) / delta))
-    return ExchangeReference(values, total, index, "exchange" if saddle else "isolated")
-
-
-def quantities(inputs: Mapping[str, Any], unknowns: Sequence[Any]) -> dict[str, Any]:
-    """The loads, and the rod at them."""
-    beta, eta, tip = unknowns
-    clamp = path_of(dict(inputs) | {"beta": beta, "eta": eta}, tip, CARRIED).clamp
-    return dict(zip(QUANTITIES, (beta, eta, tip, clamp.curvature, clamp.y, clamp.z), strict=True))

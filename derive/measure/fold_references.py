@@ -7,7 +7,7 @@ not seen: `refined` confirms those that a solver finds. No formula is shared wit
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, replace
 from itertools import pairwise
 from typing import Any
@@ -51,17 +51,27 @@ class FoldList:
 
     def to_json(self) -> dict[str, Any]:
         """Plain data; numbers of 40 digits as text."""
-        rows = [asdict(one) for one in self.folds]
-        for row in rows:
-            row["values"] = {key: mp.nstr(number, DIGITS + 5) for key, number in row["values"].items()}
-        return {"rod": asdict(self.rod), "high": self.high, "folds": rows}
+        return {"rod": asdict(self.rod), "high": self.high, "folds": as_texts(self.folds)}
 
     @classmethod
     def from_json(cls, data: Mapping[str, Any]) -> FoldList:
         """The inverse of `to_json`."""
-        with mp.workdps(DIGITS + 8):
-            rows = [row | {"values": {k: mpf(text) for k, text in row["values"].items()}} for row in data["folds"]]
-        return cls(Rod(**data["rod"]), data["high"], tuple(FoldReference(**row) for row in rows))
+        found = tuple(FoldReference(**row) for row in from_texts(data["folds"]))
+        return cls(Rod(**data["rod"]), data["high"], found)
+
+
+def as_texts(references: Iterable[Any]) -> list[dict[str, Any]]:
+    """Records whose values have 40 digits as plain data, with these numbers as text."""
+    rows = [asdict(one) for one in references]
+    for row in rows:
+        row["values"] = {key: mp.nstr(number, DIGITS + 5) for key, number in row["values"].items()}
+    return rows
+
+
+def from_texts(rows: Iterable[Mapping[str, Any]]) -> list[dict[str, Any]]:
+    """The inverse of `as_texts`, but for the class of the records."""
+    with mp.workdps(DIGITS + 8):
+        return [{**row, "values": {key: mpf(text) for key, text in row["values"].items()}} for row in rows]
 
 
 def fold_references(rod: Rod, exact: Mapping[str, Any] | None = None) -> FoldList | None:

@@ -138,12 +138,18 @@ def quantities(rod: Rod, path: Path) -> dict[str, Any]:
         "z": clamp.z,
         "energy": clamp.energy - beta * clamp.y,
     }
+    return values | inner_values(path)
+
+
+def inner_values(path: Any) -> dict[str, Any]:
+    """θ, θ′ and the place from the clamp at FRACTIONS of the length, by name; the path runs from the tip."""
+    found = {}
     for point, fraction in zip(path.points, reversed(FRACTIONS), strict=False):
-        values[f"theta({fraction}ℓ)"] = point.theta
-        values[f"curvature({fraction}ℓ)"] = point.curvature
-        values[f"y({fraction}ℓ)"] = clamp.y - point.y
-        values[f"z({fraction}ℓ)"] = clamp.z - point.z
-    return values
+        found[f"theta({fraction}ℓ)"] = point.theta
+        found[f"curvature({fraction}ℓ)"] = point.curvature
+        found[f"y({fraction}ℓ)"] = path.clamp.y - point.y
+        found[f"z({fraction}ℓ)"] = path.clamp.z - point.z
+    return found
 
 
 def along(values: Mapping[str, Any], length: Any, couple: Callable[[Any], Any]) -> dict[str, Any]:

@@ -98,4 +98,9 @@ SEARCHED = (
         8.936006726329793e-12,
         "a flat well: directions all but merge",
     ),
+    (0.97813, 1.868753805187402, 11.81, 5.060506112648607, 1.0438, "it rests beside a shoulder"),
+    (0.34079, 0.53332, 151.08, 3.91, 0.22171, "it rests beside a shoulder, and is long"),
+    (0.26411, 0.33792820384301364, 217.81, 3.2208778211365914, 1.494, "it turns beside a shoulder, and is long"),
+    (0.70033, 0.7660079913322464, 47.68, -0.4496269890614091, 1.5555, "it turns by the clamp below a ridge"),
+    (0.74293, 1.288991764283335, 115.97, 4.100400136067098, 0.34226, "it turns in a well beside a low ridge"),
 )

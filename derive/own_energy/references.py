@@ -14,7 +14,16 @@ from typing import Any
 
 from mpmath import mp, mpf
 
-from derive.measure.reference import DIGITS, FRACTIONS, MOST_ROUNDS, NoEquilibriumError, Reference, Rod, along
+from derive.measure.reference import (
+    DIGITS,
+    FRACTIONS,
+    MOST_ROUNDS,
+    NoEquilibriumError,
+    Reference,
+    Rod,
+    along,
+    inner_values,
+)
 from derive.measure.taylor import Path, working_digits
 from derive.own_energy.integration import integrate
 from derive.own_energy.law import at_loads, evaluate
@@ -120,12 +129,7 @@ def quantities(law: dict[str, Any], rod: OwnRod, path: Path) -> dict[str, Any]:
         "z": clamp.z,
         "energy": clamp.energy,
     }
-    for point, fraction in zip(path.points, reversed(FRACTIONS), strict=False):
-        values[f"theta({fraction}ℓ)"] = point.theta
-        values[f"curvature({fraction}ℓ)"] = point.curvature
-        values[f"y({fraction}ℓ)"] = clamp.y - point.y
-        values[f"z({fraction}ℓ)"] = clamp.z - point.z
-    return values
+    return values | inner_values(path)
 
 
 def sensitivity(law: dict[str, Any], rod: OwnRod, tip: Any) -> dict[str, float]:

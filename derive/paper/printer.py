@@ -18,7 +18,6 @@ from .resolve import RELATIONS
 
 _WRITTEN = {operator: latex for latex, operator in reversed(RELATIONS.items())}
 _SIGNS = {t.Dot: r"\cdot", t.Cross: r"\times", t.Outer: r"\otimes", t.RegionProduct: r"\times"}
-_APPLIED = (t.Apply, t.Compose)
 _TO_THE_END = (t.Integral, t.Limit)  # what takes the rest of its row
 
 

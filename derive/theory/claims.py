@@ -8,7 +8,7 @@ read, printed and checked from one run.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -176,3 +176,10 @@ class Notebook:
                 yield line.text
             else:
                 yield f"    {line.text} = {line.expression}"
+
+
+def print_notebook(write: Callable[[Notebook], Any]) -> None:
+    """Print what a derivation writes."""
+    book = Notebook()
+    write(book)
+    print(*book.text(), sep="\n")

@@ -9,7 +9,7 @@ from __future__ import annotations
 from sympy import Expr, Function, Matrix, eye
 
 from derive.theory import frame as frame_script
-from derive.theory.claims import Equal, Notebook
+from derive.theory.claims import Equal, Notebook, print_notebook
 from derive.theory.frame import Frame, along
 from derive.theory.letters import e3, vector_of
 from derive.theory.symbols import s
@@ -59,9 +59,7 @@ def derive(frame: Frame, book: Notebook) -> Expr:
 
 def main() -> None:
     """Print the derivation so far."""
-    book = Notebook()
-    derive(frame_script.derive(book), book)
-    print(*book.text(), sep="\n")
+    print_notebook(lambda book: derive(frame_script.derive(book), book))
 
 
 if __name__ == "__main__":

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from sympy import Expr, Matrix, Rational, Symbol
 
 from derive.theory import line_energy
-from derive.theory.claims import Equal, Notebook, Order
+from derive.theory.claims import Equal, Notebook, Order, print_notebook
 from derive.theory.energy import Energy
 from derive.theory.letters import A, angle, e1, e2, e3, eps, field, first_order, gradient, rotation, unit, vector, w
 from derive.theory.line_energy import FIELD, LineEnergy, over_section, over_triangle
@@ -135,9 +135,7 @@ def chain(book: Notebook, energy: Energy | None = None) -> Couple:
 
 def main() -> None:
     """Print the derivation so far, for paramagnetic particles."""
-    book = Notebook()
-    chain(book)
-    print(*book.text(), sep="\n")
+    print_notebook(chain)
 
 
 if __name__ == "__main__":

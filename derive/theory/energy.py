@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from sympy import Expr, Function, Matrix, Symbol, simplify, zeros
 
-from derive.theory.claims import Equal, Notebook
+from derive.theory.claims import Equal, Notebook, print_notebook
 from derive.theory.letters import gradient, vector
 
 H, DIRECTION = vector("h"), vector("a")  # a field (A/m) and an orientation in any fixed frame
@@ -72,9 +72,7 @@ def derive(energy: Energy, book: Notebook, steps: Iterable[str] = ()) -> Energy:
 
 def main() -> None:
     """Print what is asked of an energy, for one that is any function of the field along the particles."""
-    book = Notebook()
-    derive(Energy("particles of any kind", lambda h, a: Function("psi")(h.dot(a))), book)
-    print(*book.text(), sep="\n")
+    print_notebook(lambda book: derive(Energy("particles of any kind", lambda h, a: Function("psi")(h.dot(a))), book))
 
 
 if __name__ == "__main__":

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from sympy import Expr, Matrix, Rational, Symbol
 
 from derive.theory import loads, planarity
-from derive.theory.claims import Equal, Notebook
+from derive.theory.claims import Equal, Notebook, print_notebook
 from derive.theory.constraint import FORCE
 from derive.theory.energy import Energy
 from derive.theory.frame import along
@@ -152,9 +152,7 @@ def derive_section2(energy: Energy | None = None, book: Notebook | None = None) 
 
 def main() -> None:
     """Print all of Section 2, for paramagnetic particles."""
-    book = Notebook()
-    derive_section2(book=book)
-    print(*book.text(), sep="\n")
+    print_notebook(lambda book: derive_section2(book=book))
 
 
 if __name__ == "__main__":

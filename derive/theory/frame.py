@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from sympy import Expr, Function, Matrix, Rational, cos, expand, sin, sqrt, zeros
 
-from derive.theory.claims import Equal, Notebook
+from derive.theory.claims import Equal, Notebook, print_notebook
 from derive.theory.letters import e1, e2, e3, rotation, vector_of
 from derive.theory.symbols import s
 
@@ -188,9 +188,7 @@ def claim_axis(curve: Axis, kappa: Matrix, book: Notebook) -> None:
 
 def main() -> None:
     """Print the derivation so far."""
-    book = Notebook()
-    derive(book)
-    print(*book.text(), sep="\n")
+    print_notebook(derive)
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ from sympy import Expr, Matrix, Poly, Rational, Symbol, cos, integrate, simplify
 
 from derive.theory import energy as energy_script
 from derive.theory import frame, kinematics, particle, placement
-from derive.theory.claims import Equal, Notebook, Order
+from derive.theory.claims import Equal, Notebook, Order, print_notebook
 from derive.theory.energy import Energy
 from derive.theory.kinematics import Kinematics
 from derive.theory.letters import (
@@ -222,9 +222,7 @@ def chain(book: Notebook, energy: Energy | None = None) -> LineEnergy:
 
 def main() -> None:
     """Print the derivation so far, for paramagnetic particles."""
-    book = Notebook()
-    chain(book)
-    print(*book.text(), sep="\n")
+    print_notebook(chain)
 
 
 if __name__ == "__main__":

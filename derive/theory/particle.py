@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from sympy import Expr, Matrix, Symbol, expand, factor, integrate, oo
 
 from derive.theory import fields as fields_script
-from derive.theory.claims import Domain, Equal, Notebook, Positive
+from derive.theory.claims import Domain, Equal, Notebook, Positive, print_notebook
 from derive.theory.energy import DIRECTION, Energy, H
 from derive.theory.fields import Fields, symmetric
 from derive.theory.letters import (
@@ -144,9 +144,7 @@ def claim_magnetization(m: Matrix, book: Notebook) -> None:
 
 def main() -> None:
     """Print the derivation so far."""
-    book = Notebook()
-    derive(book)
-    print(*book.text(), sep="\n")
+    print_notebook(derive)
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ from __future__ import annotations
 from sympy import Expr, Matrix, Max, Symbol, sqrt
 
 from derive.theory import frame as frame_script
-from derive.theory.claims import Equal, Notebook, Order
+from derive.theory.claims import Equal, Notebook, Order, print_notebook
 from derive.theory.frame import Frame, along
 from derive.theory.letters import X1, X2, e1, e2, e3, eps, vector_of
 from derive.theory.letters import angle as letter
@@ -130,9 +130,7 @@ def claim_rotation(frame: Frame, book: Notebook) -> None:
 
 def main() -> None:
     """Print the derivation so far."""
-    book = Notebook()
-    derive(frame_script.derive(book), book)
-    print(*book.text(), sep="\n")
+    print_notebook(lambda book: derive(frame_script.derive(book), book))
 
 
 if __name__ == "__main__":

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from sympy import Expr, Matrix, Rational
 
 from derive.theory import constraint, couple, elastic
-from derive.theory.claims import Equal, Notebook
+from derive.theory.claims import Equal, Notebook, print_notebook
 from derive.theory.constraint import FORCE
 from derive.theory.couple import Couple
 from derive.theory.elastic import STIFFNESS, TURN, vary_elastic
@@ -168,9 +168,7 @@ def chain(book: Notebook, energy: Energy | None = None) -> Balance:
 
 def main() -> None:
     """Print the derivation so far, for paramagnetic particles."""
-    book = Notebook()
-    chain(book)
-    print(*book.text(), sep="\n")
+    print_notebook(chain)
 
 
 if __name__ == "__main__":

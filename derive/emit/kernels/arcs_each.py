@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/arcs.py: do not edit, change that file.
 
-Digest of the inputs: sha256 fc115f21459ad9e2de1366f6da6240246fd7514d19279dbbfaebf94fe3a4ff6e
+Digest of the inputs: sha256 243425e2eb5eb7e9cbc589e767936d01d0bd3b7993b565339bf3cc9cc56da2e5
 """
 
 from __future__ import annotations
@@ -10,8 +10,8 @@ from __future__ import annotations
 from derive.emit.kernels.arcs import Arc, Heading, Point
 from derive.emit.kernels.arithmetic import epsilon
 from derive.emit.kernels.array_arithmetic import (
-    any_of,
     each_abs,
+    each_any_of,
     each_arctan_share,
     each_complex_of,
     each_complex_sqrt,
@@ -163,7 +163,7 @@ def rj_pair_each(x, product, root_sum, p, lift, less, twist):
     reach = 5 * (each_abs(one) + each_abs(start - p) + each_sqrt(each_abs(both)))
     target = (epsilon() / 4) ** 0.125
     scale, total = 1, 0
-    while any_of(reach > target * scale * each_abs(fivefold)):
+    while each_any_of(reach > target * scale * each_abs(fivefold)):
         root, root_p = each_sqrt(x), each_complex_sqrt(p)
         side, across = root_p * root_sum, root * root_sum
         plus = lift + side

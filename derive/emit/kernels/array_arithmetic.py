@@ -23,10 +23,10 @@ from numpy import sqrt as each_sqrt
 from numpy import where as each_where
 
 __all__ = [
-    "any_of",
     "each_abs",
     "each_acos",
     "each_acosh",
+    "each_any_of",
     "each_arc_excess",
     "each_arctan_share",
     "each_asin",
@@ -56,7 +56,7 @@ __all__ = [
 ]
 
 
-def any_of(condition):
+def each_any_of(condition):
     """Whether it holds anywhere, in a fifth of the time of NumPy's function for that."""
     return logical_or.reduce(condition, axis=None)
 
@@ -160,9 +160,9 @@ def each_arctan_share(z, end):
     if far.all():
         root = each_complex_sqrt(-z)
         return each_complex_atanh(root, end) / root
-    if not any_of(size >= 3e-6):
+    if not each_any_of(size >= 3e-6):
         return 1 - z * (1 / 3 - z / 5)
     share = 1 - z * (1 / 3 - z * (1 / 5 - z * (1 / 7 - z * (1 / 9 - z / 11))))
-    if any_of(far):
+    if each_any_of(far):
         share[far] = each_arctan_share(z[far], end[far])
     return share

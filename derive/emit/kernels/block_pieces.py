@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 from numpy import abs, arange, concatenate, flatnonzero, full, inf, log, unique, where, zeros
 
 from derive.emit.kernels.arithmetic import epsilon, pi
-from derive.emit.kernels.array_arithmetic import any_of
+from derive.emit.kernels.array_arithmetic import each_any_of
 from derive.emit.kernels.block_places import in_time
 from derive.emit.kernels.block_records import rows
 from derive.emit.kernels.ground_each import clamp_in_each, level_ground_each, ridge_ground_each
@@ -128,32 +128,32 @@ def by_landscape(rods):
     beta, eta, angle = rods.beta, rods.eta, rods.field_angle
     free, strong = eta == 0, eta > beta
     along, across = ~free & (angle == 0), ~free & (angle == pi / 2)
-    if any_of(free):
+    if each_any_of(free):
         bare = chosen(rods, free)
         yield bare, no_field_each(bare.beta)
-    if any_of(along):
+    if each_any_of(along):
         yield from along_force(chosen(rods, along))
-    if any_of(across & strong):
+    if each_any_of(across & strong):
         double = chosen(rods, across & strong)
         yield double, orthogonal_double_each(double.beta, double.eta)
-    if any_of(across & ~strong):
+    if each_any_of(across & ~strong):
         single = chosen(rods, across & ~strong)
         yield single, orthogonal_single_each(single.beta, single.eta)
     slanted = ~free & (angle != 0) & (angle < pi / 2)
-    if any_of(slanted):
+    if each_any_of(slanted):
         yield from inclined(chosen(rods, slanted))
 
 
 def along_force(rods):
     """``by_landscape`` of rods with the field along the force."""
     strong, alone = rods.eta > rods.beta, rods.beta == 0
-    if any_of(alone):
+    if each_any_of(alone):
         field = chosen(rods, alone)
         yield field, parallel_alone_each(field.eta)
-    if any_of(strong & ~alone):
+    if each_any_of(strong & ~alone):
         double = chosen(rods, strong & ~alone)
         yield double, parallel_double_each(double.beta, double.eta)
-    if any_of(~strong & ~alone):
+    if each_any_of(~strong & ~alone):
         single = chosen(rods, ~strong & ~alone)
         yield single, parallel_single_each(single.beta, single.eta)
 
@@ -176,15 +176,15 @@ def inclined(rods):
 def oblique_landscapes(loads):
     """The numbers of the loads with landscapes of one kind, and those."""
     alone = loads.beta == 0
-    if any_of(alone):
+    if each_any_of(alone):
         found, field = numbered(loads, alone)
         yield found, oblique_alone_each(field.eta, field.field_angle)
-    if any_of(~alone):
+    if each_any_of(~alone):
         pair = has_second_pair_each(loads.beta, loads.eta, loads.field_angle)
-        if any_of(~alone & pair):
+        if each_any_of(~alone & pair):
             found, double = numbered(loads, ~alone & pair)
             yield found, oblique_double_each(double.beta, double.eta, double.field_angle)
-        if any_of(~alone & ~pair):
+        if each_any_of(~alone & ~pair):
             found, single = numbered(loads, ~alone & ~pair)
             yield found, oblique_single_each(single.beta, single.eta, single.field_angle)
 

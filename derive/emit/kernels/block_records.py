@@ -44,12 +44,13 @@ def rows(record, which):
 
 
 def put_rows(record, which, other):
-    """Other values for some of the rods, in the record itself."""
+    """The record with other values for some of the rods, in its own arrays."""
     for part, values in zip(record, other, strict=True):
         if isinstance(part, ndarray):
             part[which] = values
         elif isinstance(part, tuple):
             put_rows(part, which, values)
+    return record
 
 
 def rounded_to(record, kind):

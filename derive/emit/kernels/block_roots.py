@@ -85,21 +85,22 @@ def approached(function, given, left, right, value_left, value_right, steps, spr
     function(given, places): the values, of the rows of a record. spread: the distance of two places from which they
     tell a slope. again: how often those that still move go through as many steps alone.
     """
-    parts = [(zeros(0, left.dtype), zeros(0, left.dtype))]
-    for start in range(0, left.size, AT_ONCE):
-        some, *ends = rows((given, left, right, value_left, value_right), slice(start, start + AT_ONCE))
-        place, slope, move, ends = nearer(function, some, *ends, steps, spread)
-        far = flatnonzero(abs(move) > MOVING) if again else zeros(0, dtype=int)
-        if far.size:
-            some, *ends = rows((some, *ends), far)
-            place[far], slope[far] = approached(function, some, *ends, steps, spread, again - 1)
-        parts.append((place, slope))
-    return joined(parts)
+    parts = []
+    for start in range(0, max(left.size, 1), AT_ONCE):
+        some = rows((given, left, right, value_left, value_right), slice(start, start + AT_ONCE))
+        parts.append(nearer(function, some, steps, spread))
+    place, slope, move, (left, right, value_left, value_right) = joined(parts)
+    far = flatnonzero(abs(move) > MOVING) if again else zeros(0, dtype=int)
+    if far.size:
+        given, left, right, value_left, value_right = rows((given, left, right, value_left, value_right), far)
+        again -= 1
+        place[far], slope[far] = approached(function, given, left, right, value_left, value_right, steps, spread, again)
+    return place, slope
 
 
-def nearer(function, given, left, right, value_left, value_right, steps, spread):
-    """``approached`` after some steps: places, slopes, the last move, and the new ends."""
-    a, b, value_a, value_b = left, right, value_left, value_right
+def nearer(function, some, steps, spread):
+    """``approached`` after some steps, of a record and ends: places, slopes, the last move, and the new ends."""
+    given, a, b, value_a, value_b = some
     slope = (value_a - value_b) / (a - b)
     fraction = full(a.shape, 0.5, dtype=a.dtype)
     secant = value_a / (value_a - value_b)
@@ -155,37 +156,35 @@ def polished(some, brackets, place, slope, secants, ease):
     wanted, crossed = brackets.range, (brackets.value_left > 0) != (brackets.value_right > 0)
     some, brackets, place, slope = rows((some, brackets, place, slope), crossed)
     least, most = minimum(brackets.left, brackets.right) - 0.01, maximum(brackets.left, brackets.right) + 0.01
-    value, before, todo, found = full(place.shape, nan), place.copy(), arange(place.size), None
-    settled = zeros(place.shape, dtype=bool)
+    value, before, todo = full(place.shape, nan), place.copy(), arange(place.size)
+    settled, found = zeros(place.shape, dtype=bool), Times(None, None, None, None)
     for turn in range(8):
-        if not todo.size:
-            break
-        whole = todo.size == place.size
-        here, branch = (some, brackets) if whole else rows((some, brackets), todo)
-        at, extent = place[todo], here.rods.length
-        times = times_at(here, at)
-        if whole:
-            found = times
-        else:
-            put_rows(found, todo, times)
-        now = surplus(times.swing, times.arrival, branch.turns, branch.sign, extent)
-        change = at - before[todo]
-        told = abs(change) > TOLD * (1 + abs(at))
-        slope[todo] = steep = where(told, (now - value[todo]) / where(told, change, 1), slope[todo])
-        step = now / steep
-        value[todo], before[todo] = now, at
+        here, branch = (some, brackets) if todo.size == place.size else rows((some, brackets), todo)
+        at, times = place[todo], times_at(here, place[todo])
+        found = put_rows(found, todo, times) if turn else times
+        now = surplus(times.swing, times.arrival, branch.turns, branch.sign, here.rods.length)
+        slope[todo] = steep = secant_slope(at, before[todo], now, value[todo], slope[todo])
+        value[todo], before[todo], step = now, at, now / steep
         if turn >= secants:
-            # What is left time and again is rounding of the times themselves; half way leaves less of it.
             blur = epsilon() * 2 ** min(turn - secants, ease)
-            close = (abs(step) <= blur * (1 + abs(at))) | (abs(now) <= blur * extent)
-            settled[todo] = close
-            step = where(abs(now) <= NOISE * epsilon() * extent, step / 2, step)
+            settled[todo] = close = (abs(step) <= blur * (1 + abs(at))) | (abs(now) <= blur * here.rods.length)
+            # What is left time and again is rounding of the times themselves; half way leaves less of it.
+            step = where(abs(now) <= NOISE * epsilon() * here.rods.length, step / 2, step)
             todo, at, step = todo[~close], at[~close], step[~close]
         place[todo] = at = at - step
         todo = todo[(at >= least[todo]) & (at <= most[todo])]
+        if not todo.size:
+            break
     rising = (brackets.value_right > brackets.value_left) == (brackets.right > brackets.left)
     tips = rows(Found(brackets.range, place, brackets.turns, brackets.sign, rising, *found), settled)
     return tips, lost_ranges(wanted, tips.range)
+
+
+def secant_slope(at, before, value, value_before, slope):
+    """The slope of a branch by two places, or the one known where they are too near each other."""
+    change = at - before
+    told = abs(change) > TOLD * (1 + abs(at))
+    return where(told, (value - value_before) / where(told, change, 1), slope)
 
 
 def times_at(group, place):

@@ -1,8 +1,8 @@
 """The tips of rods that are shorter than any two half-swings, all at once: by where motions are after their length.
 
-From a tip φ the motion is at φ + 2 arctan(b/(℘(σ) − c)) (`theory/oblique`), and ℘ follows from its series near 0 by
-the duplication formula (DLMF 23.9.2, 23.10.7): no roots, no ranges. On a rod with ℓ√(β + η) < 2π, which no two
-half-swings fit, that is a function of φ, whose slope is nowhere more than cosh(ℓ√(β + η)): even steps show its zeros.
+On a rod with ℓ√(β + η) < 2π, which no two half-swings fit, that is a function of the tip (``block_arrivals``), whose
+slope is nowhere more than cosh(ℓ√(β + η)). What bounds its second derivative (``theory/swing_shots``) tells how many
+zeros lie between two samples.
 """
 
 from __future__ import annotations
@@ -16,13 +16,11 @@ from numpy import (
     cosh,
     flatnonzero,
     float32,
-    floor,
     full,
     inf,
     isin,
     linspace,
     maximum,
-    minimum,
     sinh,
     sqrt,
     unique,
@@ -31,7 +29,8 @@ from numpy import (
 )
 
 from derive.emit.kernels.arithmetic import pi
-from derive.emit.kernels.array_arithmetic import each_atan2, each_cos, each_less_quarters, each_sin
+from derive.emit.kernels.array_arithmetic import each_sin
+from derive.emit.kernels.block_arrivals import load_of, miss
 from derive.emit.kernels.block_records import joined, rounded_to, rows
 from derive.emit.kernels.block_roots import approached
 from derive.emit.kernels.formulas_each import shot_bend_each
@@ -42,26 +41,14 @@ EVEN = 3.0  # step between tips, over the steepest slope
 FEWEST_SPANS = 16
 ROUGH_HALVINGS = 2  # of spans in single precision
 SPAN_HALVINGS = 18  # of the rest
-ROUGH_BLUR = 6e-3  # what is missed is right to half of that in single precision (docs/solver.md)
-BLUR = 2e-11  # the same in double precision
+ROUGH_BLUR = 1e-3  # what is missed is right to half of that in single precision (docs/solver.md)
+ROUGH_SHOT = 1.2 * pi  # ℓ√(β + η) from which only to
+WIDER = 6.0  # times as much
+BLUR = 2e-11  # the same in double precision, on all
 STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
-AIMS = 4  # steps towards a zero
+AIMS = 3  # steps towards a zero
 AGAIN = 4  # as often for those that are still far
 AIM_SPREAD = 1e-6  # distance of two shares from which they tell a slope
-
-
-class Load(NamedTuple):
-    """What acts on rods, in units of their length, and the clamp angle less whole turns.
-
-    reach: how far the tip may be from the clamp.
-    """
-
-    beta: Any
-    eta: Any
-    double_cosine: Any
-    double_sine: Any
-    clamp_angle: Any
-    reach: Any
 
 
 class Shots(NamedTuple):
@@ -86,48 +73,6 @@ class Spans(NamedTuple):
     after: Any
 
 
-def load_of(rods):
-    """The load of rods."""
-    square = rods.length * rods.length
-    twice = 2 * rods.field_angle + zeros(rods.case.shape)
-    reach = minimum((rods.beta + rods.eta / 2) * square / 2, 2 * pi) * (1 + 1e-3)
-    clamp = each_less_quarters(rods.clamp_angle, 4 * floor(rods.clamp_angle / (2 * pi) + 0.5))
-    return Load(rods.beta * square, rods.eta * square, each_cos(twice), each_sin(twice), clamp, reach)
-
-
-def miss(load, share):
-    """The angle after the rod's length less the clamp angle, for tips at a share of their reach from that."""
-    offset = load.reach * share
-    tip = load.clamp_angle + offset
-    sine, cosine = each_sin(tip), each_cos(tip)
-    twice_sine, twice_cosine = 2 * sine * cosine, 1 - 2 * sine * sine
-    double_sine = twice_sine * load.double_cosine - twice_cosine * load.double_sine
-    double_cosine = twice_cosine * load.double_cosine + twice_sine * load.double_sine
-    along, across, half = load.beta * cosine, load.beta * sine, 0.5 * load.eta * double_sine
-    p, m, q = across + half, across - half, along + load.eta * double_cosine
-    mp, c = m * p, q / 12
-    g2 = q * c - mp / 4
-    g3 = (mp / 4 - q * q / 18) * c - along * p * p / 16
-    value = wp_of_one(g2, g3)
-    return offset + 2 * each_atan2(p / 4, value - c)
-
-
-def wp_of_one(g2, g3):
-    """℘(1): the series at 1/4, or 1/16 in double precision, and the duplication formula."""
-    rough = g2.dtype == float32
-    square, doublings = (1 / 16, 2) if rough else (1 / 256, 4)
-    a, b = g2 * (square * square / 20), g3 * (square * square * square / 28)
-    series = a + b + a * a / 3 + a * b * (3 / 11)
-    if not rough:
-        series = series + (2 * a * a * a / 3 + b * b) / 13
-    value = (1 + series) / square
-    for _ in range(doublings):
-        squared = value * value
-        above = squared + g2 / 4
-        value = (above * above + 2 * g3 * value) / (value * (4 * squared - g2) - g3)
-    return value
-
-
 def is_shot(rods):
     """Which rods are short, and not nearly straight."""
     lean = rods.clamp_angle - rods.field_angle
@@ -137,8 +82,8 @@ def is_shot(rods):
 
 def shots_of(rods, size):
     """All tips of short rods, and the numbers of the rods of which they are not sure: these have none."""
-    load, sag = load_of(rods), sag_of(rods)
-    spans, unsure = told_apart(load, sag, *sampled_spans(load, sag, rods.slow))
+    load, sag, blur = load_of(rods), sag_of(rods), ROUGH_BLUR * where(rods.slow < ROUGH_SHOT, 1.0, WIDER)
+    spans, unsure = told_apart(load, sag, blur, *sampled_spans(load, sag, blur, rods.slow))
     if unsure.size:
         spans = rows(spans, ~isin(spans.rod, unsure))
     which, left, right = spans.rod, spans.first, spans.first + spans.width
@@ -164,7 +109,7 @@ def no_spans():
     return Spans(zeros(0, dtype=int), none, none, none, none)
 
 
-def sampled_spans(load, sag, slow):
+def sampled_spans(load, sag, blur, slow):
     """The load in single precision, and the spans between samples over which what is missed changes its sign, or may
     have zeros without."""
     rough, parts = rounded_to(load, float32), [no_spans()]
@@ -176,9 +121,9 @@ def sampled_spans(load, sag, slow):
         shares = linspace(-1, 1, number + 1)
         values = miss(rows(rough, here), shares.astype(float32)[:, None])
         above, size = values > 0, abs(values)
-        size[size <= ROUGH_BLUR] = -inf
+        size[size <= blur[here].astype(float32)] = -inf
         step = 2 / number * load.reach[here]
-        needed = (sag[here] * step * step + 2 * ROUGH_BLUR).astype(float32)
+        needed = (sag[here] * step * step + 2 * blur[here]).astype(float32)
         # What is not a number is not sure either.
         held = (above[1:] != above[:-1]) | ~(size[1:] + size[:-1] > needed)
         row, which = divmod(flatnonzero(held), held.shape[1])
@@ -187,16 +132,17 @@ def sampled_spans(load, sag, slow):
     return rough, joined(parts)
 
 
-def told_apart(load, sag, rough, spans):
+def told_apart(load, sag, blur, rough, spans):
     """The spans with one tip each, and the rods of which a span as small as any leaves a doubt."""
-    first, spans = parted(rough, sag, spans, ROUGH_BLUR, ROUGH_HALVINGS)
+    first, spans = parted(rough, sag, blur, spans, ROUGH_HALVINGS)
     some = rows(load, spans.rod)
-    ends = miss(some, spans.first), miss(some, spans.first + spans.width)
-    second, spans = parted(load, sag, spans._replace(before=ends[0], after=ends[1]), BLUR, SPAN_HALVINGS)
+    before, after = miss(some, spans.first), miss(some, spans.first + spans.width)
+    spans = spans._replace(before=before, after=after)
+    second, spans = parted(load, sag, full(sag.size, BLUR), spans, SPAN_HALVINGS)
     return joined([first, second]), spans.rod
 
 
-def parted(load, sag, spans, blur, times):
+def parted(load, sag, blur, spans, times):
     """The spans that hold one tip, of these and of those that come of the others by halving, and what is left of them.
 
     blur: by how much what is missed may be wrong. Over a span it departs from its chord by no more than sag·width²/4.
@@ -205,7 +151,7 @@ def parted(load, sag, spans, blur, times):
     """
     found = []
     for turn in range(times + 1):
-        before, after = (maximum(abs(end) - blur, 0) for end in (spans.before, spans.after))
+        before, after = (maximum(abs(end) - blur[spans.rod], 0) for end in (spans.before, spans.after))
         crossed = (spans.before > 0) != (spans.after > 0)
         width = spans.width * load.reach[spans.rod]
         sum_, both = before + after, before * after

@@ -73,12 +73,13 @@ def bent_rods(known, most):
         for stretch, sign in ((first_stretches, 1), (last_stretches, -1)):
             there = rows(some, some[0].found.sign == sign)
             for start in range(0, there[1].size, AT_ONCE):
-                parts.append(bent(*rows(there, slice(start, start + AT_ONCE)), stretch))
+                parts.append(bent(rows(there, slice(start, start + AT_ONCE)), stretch))
     return parts
 
 
-def bent(tips, index, stretch):
-    """The equilibria of tips from which the clamp is reached at last by stretches of one kind."""
+def bent(some, stretch):
+    """The equilibria of tips, given with their indices, from which the clamp is reached by stretches of one kind."""
+    tips, index = some
     rods, found = tips.rods, tips.found
     motion, phase = found.motion, found.phase
     beta, eta, length = rods.beta, rods.eta, rods.length

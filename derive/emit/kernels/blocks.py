@@ -192,6 +192,8 @@ def on_arrays(rods, shots, most):
     for group in found:
         tip, lost = tips(group, shots, most)
         left.append(group.rods.case[lost])
-        known += [Tips(*rows((group.rods, group.rank, group.turns), some.range), some) for some in tip]
+        for some in tip:
+            rod, rank, turns = rows((group.rods, group.rank, group.turns), some.range)
+            known.append(Tips(rod, rank, turns, some))
     parts = [no_columns(), *(straight_rods(some, most) for some in straight), *bent_rods(known, most)]
     return joined(parts), concatenate(left)

@@ -2,13 +2,13 @@
 
 Emitted by `derive emit` from kernels/ground.py: do not edit, change that file.
 
-Digest of the inputs: sha256 08b670452a26f10a14f903a5f0308a2c6fe1791a78422f152256e316eb53f7ef
+Digest of the inputs: sha256 b0394b4b36fa639f0c831caef99061ce6ef6b70aae5516caa2a7c81ca16ee9f2
 """
 
 from __future__ import annotations
 
 from derive.emit.kernels.arithmetic import epsilon, pi
-from derive.emit.kernels.array_arithmetic import any_of, each_floor, each_pick
+from derive.emit.kernels.array_arithmetic import each_any_of, each_floor, each_pick
 from derive.emit.kernels.ground import Clamp, Ground
 from derive.emit.kernels.levels_each import fall_each, reach_each, ridge_fall_each, turn_to_each
 from derive.emit.kernels.rests_each import offset_from_each, pick_rest_each
@@ -20,7 +20,7 @@ def clamp_in_each(rests, angle):
     for _ in range(3):
         offsets = tuple(offset_from_each(rest, angle, turns) for rest in rests)
         shift = each_pick(offsets[0] < 0, -1, each_pick(offsets[-1] >= 0, 1, 0))
-        if not any_of(shift != 0):
+        if not each_any_of(shift != 0):
             break
         turns = turns + shift
     return Clamp(turns, offsets)

@@ -9,6 +9,7 @@ from derive.emit.kernels.swing import speed_at
 NEAR = 0.5  # how far a tip may be from where it was aimed, as a difference of places
 DEEP = 30  # places beyond which tips are told by other means
 TRIES = 24
+WITHIN = 2  # spacings of the length to which time maps are right
 
 
 def hits(beta, eta, field_angle, length, ranges, shots):
@@ -55,17 +56,17 @@ def crossing_near(sample, start, rate, length, long):
     back = long and abs(2 * item.swing - item.arrival - length) < abs(item.arrival - length)
     turns, sign = (1, -1) if back else (0, 1)
     slope, value = -sign * rate / speed_at(item.stay.motion, item.phase), excess(item, turns, sign, length)
-    rising, blur = slope > 0, epsilon() * length
+    rising, blur = slope > 0, WITHIN * epsilon() * length
     for _ in range(TRIES):
         step = value / slope
-        if abs(value) <= blur or (abs(step) < epsilon() * (1 + abs(place)) and abs(value) < 16 * blur):
+        if abs(value) <= blur or (abs(step) < epsilon() * (1 + abs(place)) and abs(value) < 8 * blur):
             return Crossing(item, turns, sign, rising)
         trial = place - step
         if not abs(trial - start) < NEAR:
             return None
         new = sample(trial)
         missed = excess(new, turns, sign, length)
-        if 2 * abs(missed) > abs(value) and abs(value) < 16 * blur:  # what is left is rounding
+        if 2 * abs(missed) > abs(value) and abs(value) < 8 * blur:  # what is left is rounding
             return Crossing(new if abs(missed) < abs(value) else item, turns, sign, rising)
         if abs(step) > epsilon() ** 0.75 * (1 + abs(place)):
             slope = (missed - value) / (trial - place)

@@ -2,14 +2,14 @@
 
 Emitted by `derive emit` from kernels/landscape.py: do not edit, change that file.
 
-Digest of the inputs: sha256 1e52f824f24fa2ed7775b82ab3c80004c4dc97fd1699680be2c89ebf6fda924c
+Digest of the inputs: sha256 8f45b19c1f62e2ff2d31b405886e76b79f8a8c1426f988bc912671cc84077a62
 """
 
 from __future__ import annotations
 
 from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import (
-    any_of,
+    each_any_of,
     each_atan2,
     each_cos,
     each_less_quarters,
@@ -150,7 +150,7 @@ def oblique_double_each(beta, eta, field_angle):
     steep = field_angle > pi / 4
     lean = each_pick(steep, -each_less_quarters(field_angle, 1), field_angle)
     (low, low_over), (high, high_over) = pair_rests_each(beta, eta, lean)
-    if any_of(steep):
+    if each_any_of(steep):
         # The same pair, seen from the force's direction a turn on.
         first = rest_turned_back_each(high)._replace(extra=field_angle + high_over)
         second = rest_turned_back_each(low)._replace(extra=field_angle + low_over)
@@ -167,6 +167,6 @@ def with_shoulder_each(beta, eta, field_angle, scene):
     place, couple = lean + cusp, -larger(-couple_beyond_each(beta, eta, lean, cusp), epsilon() * (beta + eta))
     stiffness = couple * each_cos(place) / each_sin(place)
     shoulder = Rest(2, place, 0, stiffness, each_cos(2 * cusp), each_sin(2 * cusp))
-    if any_of(steep):
+    if each_any_of(steep):
         shoulder = pick_rest_each(steep, rest_turned_back_each(shoulder)._replace(quarters=4), shoulder)
     return scene._replace(shoulder=rest_of_each(shoulder.quarters, shoulder), moment=couple)

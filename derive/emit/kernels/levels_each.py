@@ -2,15 +2,15 @@
 
 Emitted by `derive emit` from kernels/levels.py: do not edit, change that file.
 
-Digest of the inputs: sha256 9ea3bc5f10a23221ac4160f4300f6c2710bfdb7b22e3f85dc047c4f58fb14571
+Digest of the inputs: sha256 1ca98a659525eb0d8306adcc063ab4a9a8a3898ab520a69b39b0e1a80c8d89eb
 """
 
 from __future__ import annotations
 
 from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import (
-    any_of,
     each_abs,
+    each_any_of,
     each_asin,
     each_cos,
     each_pick,
@@ -58,7 +58,7 @@ def reach_each(eta, rest, amount, most, side):
         # The method cubes the error, and Newton's squares it: after steps this small the next would change nothing.
         small = each_pick(safe, each_spacing(trial) ** 0.45, each_spacing(trial) ** 0.6)
         moving, near = each_abs(trial - near) > small * near, trial
-        if not any_of(moving):
+        if not each_any_of(moving):
             break
     return near
 
@@ -99,7 +99,9 @@ def onward_each(eta, rest, start, amount, rough, wanted, moment=0):
         away = each_abs(distance - step) > pi
         stuck = away & (distance == rough)
         distance = each_pick(away, rough, distance - step)
-        if not any_of(wanted & (stuck == 0) & (each_abs(step) > each_spacing(distance) ** 0.6 * each_abs(distance))):
+        if not each_any_of(
+            wanted & (stuck == 0) & (each_abs(step) > each_spacing(distance) ** 0.6 * each_abs(distance))
+        ):
             break
     return distance
 

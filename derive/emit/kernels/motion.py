@@ -77,7 +77,8 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
         half_width, left, far_moment, far_distance = parallel_side(beta, eta, piece, rise, drop, from_hill, depth)
         half_width = (done + left) / 2 if piece.high_kind == "turn" else half_width
     else:
-        half_width, left, far_moment, far_distance, there = far_side(eta, piece, rise, drop, depth, done, height)
+        side = far_side(eta, field_angle, piece, rise, drop, depth, done, height)
+        half_width, left, far_moment, far_distance, there = side
         if basin.shoulder is not None:
             near_moment = beside_shoulder(eta, basin, from_hill, offset, near_moment)
         near_moment = larger(near_moment, least_moment(basin) * abs(offset))
@@ -147,7 +148,7 @@ def within(sine):
     return pick(sine < 1, sine, 1)
 
 
-def far_side(eta, piece, rise, drop, depth, done, height):
+def far_side(eta, field_angle, piece, rise, drop, depth, done, height):
     """Half the width of the motion, how far it goes on beyond the clamp, the moment where it turns, how far that is
     from the far hill, and what a shoulder tells."""
     basin = piece.basin
@@ -166,7 +167,7 @@ def far_side(eta, piece, rise, drop, depth, done, height):
     distance = reach_either(eta, far, far_well, by_hill, pick(by_hill, below, above), down)
     turn = pick(by_hill, down - distance, distance)  # far turning point − far_well
     left = pick(by_hill, piece.far_gap - distance, distance - piece.beyond_well)
-    if basin.shoulder is not None:
+    if basin.shoulder is not None and any_of(field_angle != 0) and any_of(field_angle != pi / 2):
         return shoulder_side(eta, piece, rise, drop, done, left, by_hill, distance)
     if piece.high_kind == "turn":
         left = larger(beyond_clamp(eta, piece, rise, drop, left), 0)
@@ -243,8 +244,8 @@ def mean_less_field(eta, basin, centre, half_width, near, far, height, there, me
         if any_of(far_off):
             # Not from a well that is far from where V is nearly level: there V tells least.
             told, turn = pick(near < far, by_near, by_far), ahead * behind
-            there = above_field(eta, basin, wrapped(-axis - centre), turn, height)
-            known = pick(far_off, pick(height <= abs(turn) * eta * (abs(ahead) + abs(behind)), there, told), known)
+            above = above_field(eta, basin, wrapped(-axis - centre), turn, height)
+            known = pick(far_off, pick(height <= abs(turn) * eta * (abs(ahead) + abs(behind)), above, told), known)
         apart = pick(close, known, apart)
     # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.
     least = larger(height, epsilon() ** 19) if basin.passes else epsilon() * pick(near < far, near, far) / 4

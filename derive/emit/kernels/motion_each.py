@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 4c8cd7006edd8a6561a8d265377f5d8a7e394400c8a00beb8d130c83abd1e5aa
+Digest of the inputs: sha256 a059530a997cc447b9c65b2b7dfb5bcd184cf928d56cd4438284815429c65995
 """
 
 from __future__ import annotations
@@ -48,19 +48,17 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
     # Near the high end the clamp is told from there, else as the tip is: the clamp's own distances are exact.
     done, apart = piece.clamp_gap + drop, each_pick(upper, piece.past_hill - from_hill, piece.past_well + depth)
     done = each_pick(done < 0.5 * each_pick(upper, from_hill, each_abs(piece.past_well)), done, apart)
-    depth = each_pick(upper, turn_to_each(hill, well) - from_hill, depth)
     there = None
     if basin.even:
-        half_width = each_pick(
-            upper, turn_to_each(hill, basin.axis) - from_hill, depth + turn_to_each(well, basin.axis)
-        )
+        half_width = depth + turn_to_each(well, basin.axis)
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
         far_moment, far_distance = near_moment, from_hill
     elif any_of(field_angle == 0) and not basin.passes:
         half_width, left, far_moment, far_distance = parallel_side_each(beta, eta, piece, rise, drop, from_hill, depth)
         half_width = (done + left) / 2 if piece.high_kind == "turn" else half_width
     else:
-        half_width, left, far_moment, far_distance, there = far_side_each(eta, piece, rise, drop, depth, done, height)
+        side = far_side_each(eta, field_angle, piece, rise, drop, depth, done, height)
+        half_width, left, far_moment, far_distance, there = side
         if basin.shoulder is not None:
             near_moment = beside_shoulder(eta, basin, from_hill, offset, near_moment)
         near_moment = larger(near_moment, least_moment_each(basin) * each_abs(offset))
@@ -133,7 +131,7 @@ def within_each(sine):
     return each_pick(sine < 1, sine, 1)
 
 
-def far_side_each(eta, piece, rise, drop, depth, done, height):
+def far_side_each(eta, field_angle, piece, rise, drop, depth, done, height):
     """Half the width of the motion, how far it goes on beyond the clamp, the moment where it turns, how far that is
     from the far hill, and what a shoulder tells."""
     basin = piece.basin
@@ -152,7 +150,7 @@ def far_side_each(eta, piece, rise, drop, depth, done, height):
     distance = reach_either_each(eta, far, far_well, by_hill, each_pick(by_hill, below, above), down)
     turn = each_pick(by_hill, down - distance, distance)  # far turning point − far_well
     left = each_pick(by_hill, piece.far_gap - distance, distance - piece.beyond_well)
-    if basin.shoulder is not None:
+    if basin.shoulder is not None and any_of(field_angle != 0) and any_of(field_angle != pi / 2):
         return shoulder_side(eta, piece, rise, drop, done, left, by_hill, distance)
     if piece.high_kind == "turn":
         left = larger(beyond_clamp_each(eta, piece, rise, drop, left), 0)
@@ -231,10 +229,10 @@ def mean_less_field_each(eta, basin, centre, half_width, near, far, height, ther
         if any_of(far_off):
             # Not from a well that is far from where V is nearly level: there V tells least.
             told, turn = each_pick(near < far, by_near, by_far), ahead * behind
-            there = above_field_each(eta, basin, wrapped_each(-axis - centre), turn, height)
+            above = above_field_each(eta, basin, wrapped_each(-axis - centre), turn, height)
             known = each_pick(
                 far_off,
-                each_pick(height <= each_abs(turn) * eta * (each_abs(ahead) + each_abs(behind)), there, told),
+                each_pick(height <= each_abs(turn) * eta * (each_abs(ahead) + each_abs(behind)), above, told),
                 known,
             )
         apart = each_pick(close, known, apart)

@@ -101,7 +101,7 @@ def basin_of(ground, first):
     hill, well, far = scene.rests[first : first + 3]
     whole = len(scene.rests) == 3
     even = scene.even and (scene.level or whole)
-    rise, beside = ground.drop if first else 0, (scene.shoulder, scene.moment)
+    rise, beside = ground.drop if first else 0, (scene.shoulder, scene.moment, 0.0)
     return Basin(hill, well, far, well, well, rise, False, even, whole, *beside)
 
 

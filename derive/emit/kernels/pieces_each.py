@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/pieces.py: do not edit, change that file.
 
-Digest of the inputs: sha256 97926e56775c6fc9f38b860801f22a8d20fd4e799f5873c49a190bfa65c16586
+Digest of the inputs: sha256 fcce4d23bb2b9c08956193b3c93044e6a3d007a571a7a71d4073fce27c2d520b
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ from derive.emit.kernels.shoulders import with_shoulder_level
 
 
 def pieces_each(beta, eta, field_angle, scene, clamp):
-    """All ranges of tip angles below the clamp angle, from low to high, one after the other as they are asked for."""
+    """All ranges of tip angles below the clamp angle."""
     ground = ground_of_each(beta, eta, field_angle, scene, clamp)
-    found = (build(ground) for here, build in ranges_each(ground) if here)
+    found = [build(ground) for here, build in ranges_each(ground) if here]
     if field_angle == 0 or field_angle == pi / 2:
         return found
-    return (part for piece in found for part in with_shoulder_level(eta, piece))
+    return [part for piece in found for part in with_shoulder_level(eta, piece)]
 
 
 def ranges_each(ground):
@@ -55,7 +55,7 @@ def basin_of_each(ground, first):
     hill, well, far = scene.rests[first : first + 3]
     whole = len(scene.rests) == 3
     even = scene.even and (scene.level or whole)
-    rise, beside = ground.drop if first else 0, (scene.shoulder, scene.moment)
+    rise, beside = ground.drop if first else 0, (scene.shoulder, scene.moment, 0.0)
     return Basin(hill, well, far, well, well, rise, False, even, whole, *beside)
 
 

@@ -75,7 +75,7 @@ def rising_root(function, low, high):
         low, high, value_low, value_high = narrowed(low, high, value_low, value_high, middle, value)
         low, high, value_low, value_high = narrowed(low, high, value_low, value_high, trial, value_trial)
         moving = moving & (abs(high - low) > 2 * epsilon() * abs(trial)) & (value_trial != 0) & (exact == 0)
-        if any_of(settled & moving):
+        if any_of(moving) and not any_of(moving & (settled == 0)):
             # The trials stay on one side of the root: is it between them and the next few numbers?
             beside = trial + pick((value_trial > 0) == (high > low), -2, 2) * epsilon() * abs(trial)
             beside = pick(settled, beside, trial)

@@ -2,15 +2,15 @@
 
 Emitted by `derive emit` from kernels/rests.py: do not edit, change that file.
 
-Digest of the inputs: sha256 da3b4e364eef8a69deb01674f59c5b0a9d26b3264db6078e0649751c1a688098
+Digest of the inputs: sha256 d78d5bb65357ca616643d6f5807a1682707c79e16aa2a064342b84fe25d020b9
 """
 
 from __future__ import annotations
 
 from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import (
-    any_of,
     each_abs,
+    each_any_of,
     each_cos,
     each_less_quarters,
     each_pick,
@@ -77,13 +77,13 @@ def rising_root_each(function, low, high):
         low, high, value_low, value_high = narrowed_each(low, high, value_low, value_high, middle, value)
         low, high, value_low, value_high = narrowed_each(low, high, value_low, value_high, trial, value_trial)
         moving = moving & (each_abs(high - low) > 2 * epsilon() * each_abs(trial)) & (value_trial != 0) & (exact == 0)
-        if any_of(settled & moving):
+        if each_any_of(moving) and (not each_any_of(moving & (settled == 0))):
             # The trials stay on one side of the root: is it between them and the next few numbers?
             beside = trial + each_pick((value_trial > 0) == (high > low), -2, 2) * epsilon() * each_abs(trial)
             beside = each_pick(settled, beside, trial)
             low, high, value_low, value_high = narrowed_each(low, high, value_low, value_high, beside, function(beside))
             moving = moving & (each_abs(high - low) > 2 * epsilon() * each_abs(trial))
-        if not any_of(moving):
+        if not each_any_of(moving):
             break
     return last
 

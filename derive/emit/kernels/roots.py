@@ -62,7 +62,7 @@ def smooth_root(function, low, high, value_low, value_high, blur):
         if abs(new - value) > 1000 * blur:
             slope = (new - value) / (trial - place)
         place, value = trial, new
-    return place, slope
+    return place - value / slope, slope
 
 
 def with_node(nodes, parts, place, value):

@@ -11,7 +11,7 @@ from derive.emit.kernels.levels import fall
 from derive.emit.kernels.places import about, places
 
 SAFE = 1e-9  # bounds count where they hold by this much more than they must
-CLOSE = 0.3  # about the least distance of places between which a branch may have two extrema, 0.6 seen
+NEAREST = 0.3  # about the least distance of places between which a branch may have two extrema, 0.6 seen
 
 
 def samples_on(beta, eta, field_angle, length, piece, sample, short):
@@ -67,7 +67,7 @@ def refined(sample, samples, length):
     done, todo = [samples[0]], samples[:0:-1]
     while todo:
         before, after = done[-1], todo[-1]
-        apart = after.place - before.place > CLOSE
+        apart = after.place - before.place > NEAREST
         beside = [(done[-2], before, after)] if len(done) > 1 else []
         beside += [(before, after, todo[-2])] if len(todo) > 1 else []
         if apart and any(bends(one, two, three, length) for one, two, three in beside):

@@ -2,15 +2,15 @@
 
 Emitted by `derive emit` from kernels/swing.py: do not edit, change that file.
 
-Digest of the inputs: sha256 bf51c4f3e34d26b121f72552b91ee305b22ff900dc12a46718ad03e0b3edc88e
+Digest of the inputs: sha256 ba57646123c9f0243f607f978a64d534fd748941d5b930a27f0bb753b7ea6113
 """
 
 from __future__ import annotations
 
 from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import (
-    any_of,
     each_abs,
+    each_any_of,
     each_arc_excess,
     each_atan2,
     each_hypot,
@@ -72,9 +72,9 @@ def lengths_each(a, b, square, rest):
 
     Gauss's transformation makes a and b equal (DLMF 19.8(i), 19.8(iii)); it is written in sums of positive terms only.
     """
-    limit, more = 2 * epsilon() ** 0.5, any_of(a > 0)
+    limit, more = 2 * epsilon() ** 0.5, each_any_of(a > 0)
     while more:
-        more = any_of(each_abs(a - b) > limit * a)
+        more = each_any_of(each_abs(a - b) > limit * a)
         delta = phase_rate_each(a, b, square, rest)
         total, below = a + b, a + delta
         square, rest = gauss_square_each(square, total, below), gauss_rest_each(a, b, square, rest, delta, below)
@@ -88,10 +88,10 @@ def second_kind_each(a, b, square, rest, arrival):
 
     By the same transformation (DLMF 19.8.19). Both are small as the cube of a short length, without a difference.
     """
-    limit, more, gap = epsilon() ** 0.5, any_of(a > 0), a - b
+    limit, more, gap = epsilon() ** 0.5, each_any_of(a > 0), a - b
     delta, weight, weights, integral, excess = phase_rate_each(a, b, square, rest), 0.5, 0, 0, 0
     while more:
-        more = any_of(each_abs(gap) > limit * a)
+        more = each_any_of(each_abs(gap) > limit * a)
         total, below = a + b, a + delta
         square, rest = gauss_square_each(square, total, below), gauss_rest_each(a, b, square, rest, delta, below)
         share, first, second = gap / total, 2 * a / total, 2 * b / total
@@ -110,7 +110,7 @@ def phase_at_each(a, b, length, left):
     """sin²ψ and cos²ψ at lengths from the tip and from the half-swing's end: the transformation undone."""
     limit, gap = 2 * epsilon() ** 0.5, a - b
     steps = [(a, b, gap)]
-    while any_of(each_abs(gap) > limit * a):
+    while each_any_of(each_abs(gap) > limit * a):
         a, b = (a + b) / 2, each_sqrt(a * b)
         gap = gauss_gap_each(gap, a + b)
         steps.append((a, b, gap))

@@ -10,6 +10,7 @@ from derive.measure.atlas_maps import MAPS
 from derive.measure.atlas_points import OURS, TITLES, measure_point, places
 from derive.measure.atlas_stiff import ALL_PEERS
 from derive.measure.bench.families import Job, Plan, Record
+from derive.measure.bench.tables import markdown
 from derive.measure.hard import exact
 from derive.measure.packages import left_out
 from derive.measure.reference import Rod
@@ -19,6 +20,7 @@ SIZE, MOST = 6, 3  # rods a side of a map, and equilibria of a rod that are refi
 # What a quick run takes: maps that are made at once, one equilibrium of each rod.
 QUICK = {"loads_parallel": 3, "angles": 2}
 LIMIT = 1.0  # in bounds
+HEAD = ("map", "solver", "rods", "median, bounds", "worst, bounds", "worst, ulps", "failures")
 
 
 def jobs(plan: Plan) -> Iterator[Job]:
@@ -53,7 +55,16 @@ def shown(record: Record, one: dict[str, Any]) -> str:
 def document(records: Sequence[Record]) -> list[str]:
     """What each solver does on each map, every rod on which we err by more than the bound, and who is missing."""
     named = [f"- {record['map']}: {shown(record, one)}" for record, one in beyond(records)]
-    return ["## Extremes", "", *table(records), "", summary(records), "", *named, *(f"- {one}" for one in missing())]
+    return [
+        "## Extremes",
+        "",
+        *markdown(HEAD, rows(records)),
+        "",
+        summary(records),
+        "",
+        *named,
+        *(f"- {one}" for one in missing()),
+    ]
 
 
 def beyond(records: Sequence[Record]) -> list[tuple[Record, dict[str, Any]]]:
@@ -72,18 +83,17 @@ def missing() -> list[str]:
     return left_out(ALL_PEERS.values())
 
 
-def table(records: Sequence[Record]) -> list[str]:
-    """A row for each map and solver, as lines of Markdown."""
-    head = ("map", "solver", "rods", "median, bounds", "worst, bounds", "worst, ulps", "failures")
-    lines = [f"| {' | '.join(head)} |", "|---|---|" + "--:|" * 4 + "---|"]
+def rows(records: Sequence[Record]) -> list[list[str]]:
+    """The cells of HEAD for each map and solver."""
+    found = []
     for name in dict.fromkeys(record["map"] for record in records):
         here = [record for record in records if record["map"] == name]
         for solver in dict.fromkeys(one["solver"] for record in here for one in record["solvers"]):
-            lines.append(row(name, solver, [o for r in here for o in r["solvers"] if o["solver"] == solver]))
-    return lines
+            found.append(row(name, solver, [o for r in here for o in r["solvers"] if o["solver"] == solver]))
+    return found
 
 
-def row(name: str, solver: str, of: Sequence[dict[str, Any]]) -> str:
+def row(name: str, solver: str, of: Sequence[dict[str, Any]]) -> list[str]:
     """What one solver does on a map."""
     bounds = sorted(one["bounds"] for one in of if one["bounds"] is not None)
     ulps = max((one["ulps"] for one in of if one["ulps"] is not None), default=None)
@@ -91,4 +101,4 @@ def row(name: str, solver: str, of: Sequence[dict[str, Any]]) -> str:
     failures = ", ".join(f"{kind} {kinds.count(kind)}" for kind in sorted(set(kinds))) or "none"
     numbers = [None, None, ulps] if not bounds else [bounds[len(bounds) // 2], bounds[-1], ulps]
     cells = ["–" if number is None else f"{number:.2g}" for number in numbers]
-    return f"| {name} | {TITLES[solver]} | {len(of)} | {' | '.join(cells)} | {failures} |"
+    return [name, TITLES[solver], str(len(of)), *cells, failures]

@@ -15,6 +15,7 @@ from derive.measure.bench.series import SERIES, Series
 from derive.measure.bench.timing import Times, alone, peak_memory
 
 PARTS = {"growth": "time and memory as work grows"}
+HEAD = ("what", "work", "from … to", "time", "grows as", "memory", "grows as")
 
 
 def jobs(plan: Plan) -> Iterator[Job]:
@@ -88,15 +89,15 @@ def slope(records: Sequence[Record], value: Callable[[Record], float]) -> float:
 def document(records: Sequence[Record]) -> list[str]:
     """The measured exponents, and what they are."""
     text = "Exponents are of least squares on logarithms, over the upper half of each series."
-    return ["## Time and memory as work grows", "", *table(records), "", text]
+    return ["## Time and memory as work grows", "", *tables.markdown(HEAD, rows(records)), "", text]
 
 
-def table(records: Sequence[Record]) -> list[str]:
-    """A row for each series, as lines of Markdown."""
-    lines = ["| what | work | from … to | time | grows as | memory | grows as |", "|---" * 7 + "|"]
+def rows(records: Sequence[Record]) -> list[list[str]]:
+    """The cells of HEAD for each series."""
+    found = []
     for row in exponents(records):
         sizes = "–" if row.bytes is None else " … ".join(f"{number / 1e6:.2g} MB" for number in row.bytes)
-        cells = (
+        cells = [
             row.series,
             row.variable,
             f"{row.amounts[0]:g} … {row.amounts[1]:g}",
@@ -104,9 +105,9 @@ def table(records: Sequence[Record]) -> list[str]:
             f"{row.variable}^{row.time:.2f}",
             sizes,
             "–" if row.memory is None else f"{row.variable}^{row.memory:.2f}",
-        )
-        lines.append("| " + " | ".join(cells) + " |")
-    return lines
+        ]
+        found.append(cells)
+    return found
 
 
 def wrong(records: Sequence[Record]) -> Iterator[str]:

@@ -13,7 +13,7 @@ from derive.measure.stability_formulas import known_formulas
 
 PARTS = {"stability": "what emitted formulas lose beyond their condition numbers"}
 RODS, QUICK_RODS, SEED = 60, 2, 1
-SHOWN = 12  # of the worst, in the guide
+HEAD = ("formula", "operations", "loss, roundings", "condition", "excess", "rod")
 
 
 def jobs(plan: Plan) -> Iterator[Job]:
@@ -42,13 +42,13 @@ def by_excess(records: Sequence[Record]) -> list[Record]:
     return sorted((record for record in records if record["rod"]), key=lambda one: -float(one["called"]["excess"]))
 
 
-def worst_table(records: Sequence[Record]) -> list[str]:
-    """The worst formulas with the rods on which they are, as lines of Markdown."""
-    lines = ["| formula | operations | loss, roundings | condition | excess | rod |", "|---" + "|--:" * 4 + "|---|"]
-    for one in by_excess(records)[:SHOWN]:
-        numbers = " | ".join(f"{float(one['called'][key]):.2g}" for key in ("loss", "condition", "excess"))
-        lines.append(f"| `{one['name']}` | {one['operations']} | {numbers} | {exact(Rod(**one['rod']))} |")
-    return lines
+def rows(records: Sequence[Record]) -> list[list[str]]:
+    """The cells of HEAD for each formula, the worst first."""
+    found = []
+    for one in by_excess(records):
+        numbers = [f"{float(one['called'][key]):.2g}" for key in ("loss", "condition", "excess")]
+        found.append([one["name"], str(one["operations"]), *numbers, exact(Rod(**one["rod"]))])
+    return found
 
 
 def summary(records: Sequence[Record]) -> str:

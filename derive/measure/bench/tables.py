@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from derive.measure.bench.families import Record
 from derive.measure.bench.fronts import at_once, comparable, front, wins
@@ -34,6 +34,11 @@ README_ROWS = (
     ("T6", "emitted, NumPy", "all in a range"),
     ("T6", "solve_bvp", "tol 1e-8"),
 )
+
+
+def markdown(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
+    """A table as lines."""
+    return [f"| {' | '.join(head)} |", "|---" * len(head) + "|", *(f"| {' | '.join(row)} |" for row in rows)]
 
 
 def seconds(value: float) -> str:

@@ -1,7 +1,7 @@
 """What was measured, as tables and pictures: the data of `derive measure --json`, family by family.
 
-Errors against run time have a picture for each problem. A family that is not known here is shown as a plain table of
-its numbers and words, so that nothing that was measured is left out.
+Errors against run time have a picture for each problem, the extremes one for each map. A family that is not known here
+is shown as a plain table of its numbers and words, so that nothing that was measured is left out.
 """
 
 from __future__ import annotations
@@ -9,10 +9,16 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from markupsafe import Markup
+
+from derive.measure.bench import atlas as extremes
+from derive.measure.bench import growth as growing
+from derive.measure.bench import stability as searches
+from derive.measure.bench import tables
 from derive.report.page.chart import Point, chart
+from derive.report.page.heat import heat
 
 Record = Mapping[str, Any]
-UNITS = ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs"), (1e-9, "ns"))
 COLUMNS = ("method", "setting", "worst error", "found", "time", "from … to", "over ours")
 OURS = "ours"  # the group of our own solvers
 
@@ -23,8 +29,8 @@ def measured(given: Record | None) -> dict[str, Any] | None:
         return None
     about, found = given["about"], list[dict[str, Any]]()
     for family, records in given["records"].items():
-        ways = {"tasks": tasks, "growth": growth}
-        found += ways[family](records) if family in ways else [plain(family, records)] if records else []
+        way = WAYS.get(family)
+        found += (way(records) if way else plain(family, records)) if records else []
     machine = ", ".join(f"{name} {value}" for name, value in about["machine"].items())
     versions = ", ".join(f"{name} {number}" for name, number in about["versions"].items())
     quick = about["mode"] == "quick"
@@ -41,23 +47,16 @@ def tasks(records: Sequence[Record]) -> list[dict[str, Any]]:
     found = []
     for problem in dict.fromkeys(one["problem"] for one in records):
         rows = [one for one in records if one["problem"] == problem]
-        found.append(
-            {
-                "title": f"{problem}: {rows[0]['title']}",
-                "picture": chart(
-                    [p for one in rows if (p := point(one))], f"seconds a {rows[0]['unit']}", "worst error"
-                ),
-                "columns": COLUMNS,
-                "rows": [cells(one) for one in rows],
-            }
-        )
+        points = [p for one in rows if (p := point(one))]
+        drawn = chart(points, f"seconds a {rows[0]['unit']}", "worst error")
+        found.append(table(f"{problem}: {rows[0]['title']}", COLUMNS, [cells(one) for one in rows], drawn))
     return found
 
 
 def point(record: Record) -> Point | None:
     """The place of a record in the picture, if it has an error that is not zero."""
     error, time = record["errors"]["worst"], record["seconds"]["median"]
-    label = f"{record['method']}, {record['setting']}: error {number(error)}, {seconds(time)}"
+    label = f"{record['method']}, {record['setting']}: error {tables.error(error)}, {tables.seconds(time)}"
     return Point(record["method"], time, error, label, record["group"] == OURS) if error else None
 
 
@@ -65,39 +64,49 @@ def cells(record: Record) -> list[str]:
     """One row."""
     errors, time = record["errors"], record["seconds"]
     more = f", {errors['spurious']} more" if errors["spurious"] else ""
-    spread = f"{seconds(time['low'])} … {seconds(time['high'])}" if time["runs"] > 1 else "one run"
+    spread = f"{tables.seconds(time['low'])} … {tables.seconds(time['high'])}" if time["runs"] > 1 else "one run"
     return [
         record["method"],
         record["setting"] + ("" if record["whole"] else " (in part)"),
-        number(errors["worst"]),
+        tables.error(errors["worst"]),
         f"{errors['found']} of {errors['of']}{more}",
-        seconds(time["median"]),
+        tables.seconds(time["median"]),
         spread,
         f"{record['ratio']['median']:.2g}",
     ]
 
 
 def growth(records: Sequence[Record]) -> list[dict[str, Any]]:
-    """How time and memory grow."""
-    rows = [
-        [
-            one["series"],
-            f"{one['value']} {one['variable']}",
-            seconds(one["seconds"]["median"]),
-            "–" if one["bytes"] is None else f"{one['bytes'] / 1e6:.3g} MB",
-        ]
-        for one in records
-    ]
-    table = {"title": "How time and memory grow", "picture": "", "columns": ("what", "size", "time", "memory")}
-    return [{**table, "rows": rows}] if rows else []
+    """How time and memory grow, with the exponents that are seen."""
+    return [table("How time and memory grow", growing.HEAD, growing.rows(records))]
 
 
-def plain(family: str, records: Sequence[Record]) -> dict[str, Any]:
+def atlas(records: Sequence[Record]) -> list[dict[str, Any]]:
+    """A picture for each map, with what each solver does on it."""
+    found = []
+    for name in dict.fromkeys(one["map"] for one in records):
+        here = [one for one in records if one["map"] == name]
+        found.append(table(f"Extremes: {here[0]['title']}", extremes.HEAD, extremes.rows(here), heat(here)))
+    return found
+
+
+def stability(records: Sequence[Record]) -> list[dict[str, Any]]:
+    """What each formula loses at its worst input."""
+    return [table("Stability of the formulas", searches.HEAD, searches.rows(records))]
+
+
+def table(
+    title: str, columns: Sequence[str], rows: Sequence[Sequence[str]], picture: Markup | str = ""
+) -> dict[str, Any]:
+    """What the template shows."""
+    return {"title": title, "picture": picture, "columns": columns, "rows": rows}
+
+
+def plain(family: str, records: Sequence[Record]) -> list[dict[str, Any]]:
     """Any other family: the numbers and words of its records, those of inner records beside their names."""
     flat = [flattened(one) for one in records]
     columns = list(dict.fromkeys(name for one in flat for name in one))
-    rows = [[shown(one.get(name)) for name in columns] for one in flat]
-    return {"title": family.capitalize(), "picture": "", "columns": columns, "rows": rows}
+    return [table(family.capitalize(), columns, [[shown(one.get(name)) for name in columns] for one in flat])]
 
 
 def flattened(record: Record) -> dict[str, Any]:
@@ -114,12 +123,4 @@ def shown(value: Any) -> str:
     return "–" if value is None else f"{value:.4g}" if isinstance(value, float) else str(value)
 
 
-def number(value: float | None) -> str:
-    """An error to one digit."""
-    return "–" if value is None else f"{value:.0e}"
-
-
-def seconds(value: float) -> str:
-    """A time with its unit, to three digits."""
-    size, name = next(((size, name) for size, name in UNITS if value >= size), UNITS[-1])
-    return f"{value / size:.3g} {name}"
+WAYS = {"tasks": tasks, "growth": growth, "atlas": atlas, "stability": stability}
