@@ -2,15 +2,15 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 a059530a997cc447b9c65b2b7dfb5bcd184cf928d56cd4438284815429c65995
+Digest of the inputs: sha256 42a76c51d57bed0b40d9fd712c53a9bb941900208dc9c6b0b70239954792cd35
 """
 
 from __future__ import annotations
 
 from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import (
-    any_of,
     each_abs,
+    each_any_of,
     each_asin,
     each_atan2,
     each_cos,
@@ -48,12 +48,15 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
     # Near the high end the clamp is told from there, else as the tip is: the clamp's own distances are exact.
     done, apart = piece.clamp_gap + drop, each_pick(upper, piece.past_hill - from_hill, piece.past_well + depth)
     done = each_pick(done < 0.5 * each_pick(upper, from_hill, each_abs(piece.past_well)), done, apart)
+    depth = each_pick(upper, turn_to_each(hill, well) - from_hill, depth)
     there = None
     if basin.even:
-        half_width = depth + turn_to_each(well, basin.axis)
+        half_width = each_pick(
+            upper, turn_to_each(hill, basin.axis) - from_hill, depth + turn_to_each(well, basin.axis)
+        )
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
         far_moment, far_distance = near_moment, from_hill
-    elif any_of(field_angle == 0) and not basin.passes:
+    elif each_any_of(field_angle == 0) and (not basin.passes):
         half_width, left, far_moment, far_distance = parallel_side_each(beta, eta, piece, rise, drop, from_hill, depth)
         half_width = (done + left) / 2 if piece.high_kind == "turn" else half_width
     else:
@@ -150,7 +153,7 @@ def far_side_each(eta, field_angle, piece, rise, drop, depth, done, height):
     distance = reach_either_each(eta, far, far_well, by_hill, each_pick(by_hill, below, above), down)
     turn = each_pick(by_hill, down - distance, distance)  # far turning point − far_well
     left = each_pick(by_hill, piece.far_gap - distance, distance - piece.beyond_well)
-    if basin.shoulder is not None and any_of(field_angle != 0) and any_of(field_angle != pi / 2):
+    if basin.shoulder is not None and each_any_of(field_angle != 0) and each_any_of(field_angle != pi / 2):
         return shoulder_side(eta, piece, rise, drop, done, left, by_hill, distance)
     if piece.high_kind == "turn":
         left = larger(beyond_clamp_each(eta, piece, rise, drop, left), 0)
@@ -202,7 +205,7 @@ def rates_each(beta, eta, field_angle, basin, centre, half_width, sine, near, fa
         bent = eta * (1 + 2 * cosine * cosine) * each_sin(2 * there.lean) * sine
         excess = far * sine * sine * cosine - 2 * there.stiffness * cosine * cosine - bent
     split, rate = excess < 0, each_sqrt(product + larger(excess, 0))
-    if any_of(split):
+    if each_any_of(split):
         mean = -(2 * beta * cos_middle + eta * cosine * cos_double)
         apart = mean_less_field_each(eta, basin, centre, half_width, near, far, height, there, mean)
         rate = each_pick(split, sine * each_sqrt(apart * (mean + eta) / each_pick(split, product - excess, 1)), rate)
@@ -218,7 +221,7 @@ def mean_less_field_each(eta, basin, centre, half_width, near, far, height, ther
         return larger(
             each_pick(close, far - 2 * eta * each_sin(there.lean) * each_sin(there.lean), apart), epsilon() * far / 4
         )
-    if any_of(close):
+    if each_any_of(close):
         # 2(axis − α), and 2(middle − α).
         axis = each_atan2(basin.axis.double_sine, basin.axis.double_cosine)
         double = wrapped_each(axis + 2 * centre)
@@ -226,7 +229,7 @@ def mean_less_field_each(eta, basin, centre, half_width, near, far, height, ther
         by_far, by_near = far - 2 * eta * ahead * ahead, near - 2 * eta * behind * behind
         known = each_pick(2 * by_far > far, by_far, by_near)
         far_off = close & (2 * by_far <= far) & (2 * by_near <= near)
-        if any_of(far_off):
+        if each_any_of(far_off):
             # Not from a well that is far from where V is nearly level: there V tells least.
             told, turn = each_pick(near < far, by_near, by_far), ahead * behind
             above = above_field_each(eta, basin, wrapped_each(-axis - centre), turn, height)

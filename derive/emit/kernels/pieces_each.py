@@ -2,13 +2,13 @@
 
 Emitted by `derive emit` from kernels/pieces.py: do not edit, change that file.
 
-Digest of the inputs: sha256 fcce4d23bb2b9c08956193b3c93044e6a3d007a571a7a71d4073fce27c2d520b
+Digest of the inputs: sha256 52f09f29b420e8637264410612b9ba3bb08c8e8c093ab6fbbfec6518106325ec
 """
 
 from __future__ import annotations
 
 from derive.emit.kernels.arithmetic import pi
-from derive.emit.kernels.array_arithmetic import any_of, each_abs, each_pick, larger
+from derive.emit.kernels.array_arithmetic import each_abs, each_any_of, each_pick, larger
 from derive.emit.kernels.ground_each import ground_of_each
 from derive.emit.kernels.levels_each import fall_each, onward_each, reach_each, turn_to_each
 from derive.emit.kernels.pieces import Basin, Piece
@@ -17,12 +17,12 @@ from derive.emit.kernels.shoulders import with_shoulder_level
 
 
 def pieces_each(beta, eta, field_angle, scene, clamp):
-    """All ranges of tip angles below the clamp angle."""
+    """All ranges of tip angles below the clamp angle, from low to high, one after the other as they are asked for."""
     ground = ground_of_each(beta, eta, field_angle, scene, clamp)
-    found = [build(ground) for here, build in ranges_each(ground) if here]
+    found = (build(ground) for here, build in ranges_each(ground) if here)
     if field_angle == 0 or field_angle == pi / 2:
         return found
-    return [part for piece in found for part in with_shoulder_level(eta, piece)]
+    return (part for piece in found for part in with_shoulder_level(eta, piece))
 
 
 def ranges_each(ground):
@@ -168,7 +168,7 @@ def piece_of_each(basin, low_kind, high_kind, low_offset, width, high_depth, cla
     rest, offset = rests[0], at[0]
     for other, distance in zip(rests[1:], at[1:], strict=False):
         closer = each_abs(distance) < each_abs(offset)
-        if any_of(closer):
+        if each_any_of(closer):
             rest, offset = pick_rest_each(closer, other, rest), each_pick(closer, distance, offset)
     beyond, last = at[len(rests) - 2 : len(rests)]
     ends = low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap
