@@ -168,6 +168,6 @@ def halved(load, spans):
     """The halves of spans."""
     width, some = spans.width / 2, rows(load, spans.rod)
     middle = spans.first + width
-    value = miss(some, middle.astype(some.beta.dtype)).astype(float)
+    value = miss(some, middle.astype(some.reach.dtype)).astype(float)
     first = spans._replace(width=width, after=value)
     return joined([first, spans._replace(first=middle, width=width, before=value)])
