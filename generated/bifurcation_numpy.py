@@ -24,7 +24,7 @@ Formulas, each proved equal to its derivation:
     rj_delta_real (DLMF 19.26(iii)), rj_delta_real_each (DLMF 19.26(iii)), shot_bend, shot_bend_each,
     strength (exsl17), strength_each (exsl17), tip_cubic, tip_cubic_each, w_imag (DLMF 19.29(ii)),
     w_imag_each (DLMF 19.29(ii)), w_real (DLMF 19.29(ii)), w_real_each (DLMF 19.29(ii))
-Digest of the inputs: sha256 7dcb3afc1b229c2b3e2b9305d7ca73b4d8ceaa3c6e227c08e9fd466a659d6fde
+Digest of the inputs: sha256 28c94ef9dafdec91b45a496684b1a91f2e39905158d45e916d9a1d6d61d0b933
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ SHOTS = 512  # rods at once
 FEWEST_SPANS = 16
 AT_ONCE = 2048  # rows at once where there are many arrays: they stay in the cache, and in memory that is there already
 MOVING = 1e-6  # a step after which another one is not yet as small as rounding
-AIMS = 3  # steps towards a zero
+AIMS = 4  # steps towards a zero
 AIM_SPREAD = 1e-6  # distance of two shares from which they tell a slope
 AGAIN = 4  # as often for those that are still far
 NEARLY = 0.3  # how far η may be below the value at which a ridge appears, and still slow motions down, over β + η

@@ -29,7 +29,7 @@ Formulas, each proved equal to its derivation:
     tip_cubic, tip_cubic_each, turn_level, turn_over (DLMF 4.21(iii)), turn_tilt, turn_tilt_apart, turn_under,
     unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)), w_imag_each (DLMF 19.29(ii)), w_real (DLMF 19.29(ii)),
     w_real_each (DLMF 19.29(ii))
-Digest of the inputs: sha256 f07fc0d981876a628ae7e0df69895a4a8e6d7fb57382f989659388e2ba3fedcb
+Digest of the inputs: sha256 bd713703d012b3711e0b7973e3dbda6dd8f713ce65e37d89c71bd48cb08c7180
 """
 
 from __future__ import annotations
@@ -90,7 +90,7 @@ SHOTS = 512  # rods at once
 FEWEST_SPANS = 16
 AT_ONCE = 2048  # rows at once where there are many arrays: they stay in the cache, and in memory that is there already
 MOVING = 1e-6  # a step after which another one is not yet as small as rounding
-AIMS = 3  # steps towards a zero
+AIMS = 4  # steps towards a zero
 AIM_SPREAD = 1e-6  # distance of two shares from which they tell a slope
 AGAIN = 4  # as often for those that are still far
 NEARLY = 0.3  # how far η may be below the value at which a ridge appears, and still slow motions down, over β + η

@@ -30,7 +30,7 @@ Formulas, each proved equal to its derivation:
     strength (exsl17), strength_each (exsl17), tip_cubic, tip_cubic_each, turn_level, turn_over (DLMF 4.21(iii)),
     turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
     w_imag_each (DLMF 19.29(ii)), w_real (DLMF 19.29(ii)), w_real_each (DLMF 19.29(ii))
-Digest of the inputs: sha256 81ccacc0338272203c74ef7d3f46697823a6c9a9a782ce4bc55281cd51d59bcb
+Digest of the inputs: sha256 a84e708887ff01b5f1f9a810590369b4708b8b32c2fa63bf56a0b81c0d065a52
 """
 
 from __future__ import annotations
@@ -93,7 +93,7 @@ SHOTS = 512  # rods at once
 FEWEST_SPANS = 16
 AT_ONCE = 2048  # rows at once where there are many arrays: they stay in the cache, and in memory that is there already
 MOVING = 1e-6  # a step after which another one is not yet as small as rounding
-AIMS = 3  # steps towards a zero
+AIMS = 4  # steps towards a zero
 AIM_SPREAD = 1e-6  # distance of two shares from which they tell a slope
 AGAIN = 4  # as often for those that are still far
 NEARLY = 0.3  # how far η may be below the value at which a ridge appears, and still slow motions down, over β + η

@@ -24,7 +24,7 @@ Formulas, each proved equal to its derivation:
     rj_delta_real (DLMF 19.26(iii)), rj_delta_real_each (DLMF 19.26(iii)), shot_bend, shot_bend_each,
     strength (exsl17), strength_each (exsl17), tip_cubic, tip_cubic_each, w_imag (DLMF 19.29(ii)),
     w_imag_each (DLMF 19.29(ii)), w_real (DLMF 19.29(ii)), w_real_each (DLMF 19.29(ii))
-Digest of the inputs: sha256 e4f3549582164d68fd39d226f2e947986767ca1d2607119c1aa7f335e86506d9
+Digest of the inputs: sha256 cce45c44c88d3938e5af1042370751164397bd405a3bc9c51f1779907020298f
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ SHOTS = 512  # rods at once
 FEWEST_SPANS = 16
 AT_ONCE = 2048  # rows at once where there are many arrays: they stay in the cache, and in memory that is there already
 MOVING = 1e-6  # a step after which another one is not yet as small as rounding
-AIMS = 3  # steps towards a zero
+AIMS = 4  # steps towards a zero
 AIM_SPREAD = 1e-6  # distance of two shares from which they tell a slope
 AGAIN = 4  # as often for those that are still far
 NEARLY = 0.3  # how far η may be below the value at which a ridge appears, and still slow motions down, over β + η

@@ -46,7 +46,7 @@ ROUGH_SHOT = 1.2 * pi  # ℓ√(β + η) from which only to
 WIDER = 6.0  # times as much
 BLUR = 2e-11  # the same in double precision, on all
 STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
-AIMS = 3  # steps towards a zero
+AIMS = 4  # steps towards a zero
 AGAIN = 4  # as often for those that are still far
 AIM_SPREAD = 1e-6  # distance of two shares from which they tell a slope
 
