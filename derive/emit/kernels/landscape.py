@@ -49,7 +49,9 @@ def oblique_landscape(beta, eta, field_angle):
         return oblique_alone(eta, field_angle)
     if has_second_pair(beta, eta, field_angle):
         return oblique_double(beta, eta, field_angle)
-    return with_shoulder(beta, eta, field_angle, oblique_single(beta, eta, field_angle))
+    scene = oblique_single(beta, eta, field_angle)
+    # Of a field all but along the force rounding leaves the shoulder nothing that is right.
+    return scene if field_angle < epsilon() ** 2 else with_shoulder(beta, eta, field_angle, scene)
 
 
 def has_second_pair(beta, eta, field_angle):

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/landscape.py: do not edit, change that file.
 
-Digest of the inputs: sha256 8f45b19c1f62e2ff2d31b405886e76b79f8a8c1426f988bc912671cc84077a62
+Digest of the inputs: sha256 e8378fdbcccf79b91a160677dc42f180bfaafe340e32e569f55dd373f153bfd7
 """
 
 from __future__ import annotations
@@ -58,7 +58,9 @@ def oblique_landscape_each(beta, eta, field_angle):
         return oblique_alone_each(eta, field_angle)
     if has_second_pair_each(beta, eta, field_angle):
         return oblique_double_each(beta, eta, field_angle)
-    return with_shoulder_each(beta, eta, field_angle, oblique_single_each(beta, eta, field_angle))
+    scene = oblique_single_each(beta, eta, field_angle)
+    # Of a field all but along the force rounding leaves the shoulder nothing that is right.
+    return scene if field_angle < epsilon() ** 2 else with_shoulder_each(beta, eta, field_angle, scene)
 
 
 def has_second_pair_each(beta, eta, field_angle):
