@@ -5,8 +5,11 @@ from __future__ import annotations
 import json
 import os
 import random
+import tempfile
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -140,20 +143,29 @@ def texts() -> list[str]:
     return [source(), *([path.read_text(encoding="utf-8")] if path else [])]
 
 
+@cache
+def checked(text: str) -> dict[str, Any]:
+    """What `derive check` says on each formula of a source."""
+    with tempfile.TemporaryDirectory() as folder:
+        path, result = Path(folder, "copy.tex"), Path(folder, "found.json")
+        path.write_text(text, encoding="utf-8")
+        main(["check", "--paper", str(path), "--json", str(result)])
+        return {one["id"]: one for one in json.loads(result.read_text())["formulas"]}
+
+
+def refuted(text: str) -> set[str]:
+    return {name for name, one in checked(text).items() if one["verdict"] == "REFUTED"}
+
+
 @pytest.mark.long
 @pytest.mark.parametrize(("label", "old", "new", "edit"), CHANGES)
-def test_the_whole_copy(tmp_path, label, old, new, edit):
+def test_the_whole_copy(label, old, new, edit):
     for text in texts():
         printed = from_source(text)[label].latex
         assert printed.count(old) >= 1
-        refuted = []
-        for n, copy in enumerate((text, text.replace(printed, printed.replace(old, new, 1)))):
-            path, result = tmp_path / f"{n}.tex", tmp_path / f"{n}.json"
-            path.write_text(copy, encoding="utf-8")
-            main(["check", "--paper", str(path), "--json", str(result)])
-            formulas = {one["id"]: one for one in json.loads(result.read_text())["formulas"]}
-            refuted.append({name for name, one in formulas.items() if one["verdict"] == "REFUTED"})
-        assert refuted[1] - refuted[0] == {label}
-        assert refuted[0] <= refuted[1]
+        copy = text.replace(printed, printed.replace(old, new, 1))
+        assert refuted(copy) - refuted(text) == {label}
+        assert refuted(text) <= refuted(copy)
+        formulas = checked(copy)
         assert formulas[label]["counterexample"]
         assert formulas[label]["repair"]["edits"] == [edit]
