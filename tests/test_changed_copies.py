@@ -66,7 +66,10 @@ def beside(label: str) -> list[str]:
     return [labels[place - 1], labels[place + 1]]
 
 
-@pytest.mark.parametrize(("label", "old", "new", "edit"), CHANGES)
+@pytest.mark.parametrize(
+    ("label", "old", "new", "edit"),
+    [pytest.param(*one, marks=pytest.mark.long if one[0] == "exhpf15" else []) for one in CHANGES],
+)
 def test_a_change_by_hand_is_refuted_and_undone(theory, judged, label, old, new, edit):
     text = source(**{label: changed_copy(label, old, new)})
     there = from_source(text)
@@ -92,6 +95,7 @@ def test_a_misprint_of_the_article_is_found_and_mended(judged, label, edits):
     assert verdict.repair["edits"] == edits
 
 
+@pytest.mark.long  # two edits are looked for longer than one
 def test_a_missing_factor_and_exchanged_operands_are_mended_together(judged):
     verdict = judged("elmr9")
     assert verdict.verdict == REFUTED
