@@ -9,6 +9,7 @@ from functools import cache
 
 import pytest
 
+from derive.check import repair
 from derive.check.judge import judge
 from derive.check.misprints import mutants
 from derive.check.printed import judge_formula
@@ -181,12 +182,13 @@ def test_no_mutant_survives_unproved(theory):
     assert sum(fate["fate"] == "killed" for fate in fates) > 0.97 * len(fates)
 
 
-def test_the_fates_of_mutants_are_counted(theory):
+def test_the_fates_of_mutants_are_counted(theory, monkeypatch):
     fates = of_formula(theory, LEDGER["slch5"])
     assert {fate["fate"] for fate in fates} == {"killed"}
     kinds = score(fates, lambda fate: fate["kind"])
     assert sum(sum(count.values()) for count in kinds.values()) == len(fates)
     assert list(kinds) == sorted(kinds)
+    monkeypatch.setattr(repair, "CANDIDATES", 200)  # none mends what follows
     hopeless = replace(LEDGER["slch5"], latex=r"\kappa_x^2 = \beta^5 \gamma^3 + 7 \beta \xi^3 (\ell)")
     verdict = judge_formula(theory, hopeless)
     assert verdict.verdict == REFUTED
