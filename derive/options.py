@@ -41,7 +41,7 @@ def parser() -> argparse.ArgumentParser:
     """All commands and their options."""
     top = Parser(prog="derive", description="From the magnetic energy of a rod to verified solvers.")
     commands = top.add_subparsers(dest="command", metavar="COMMAND")
-    common = argparse.ArgumentParser(add_help=False)
+    common = Parser(add_help=False)
     common.add_argument("--no-cache", action="store_true", help="compute everything anew and keep nothing")
     common.add_argument("--jobs", type=int, default=0, metavar="N", help="processes (default: one per core)")
     common.add_argument("--json", type=Path, metavar="FILE", help="write the result as JSON, too")

@@ -18,17 +18,18 @@ Formulas, each proved equal to its derivation:
     gauss_square_each (DLMF 19.8(iii)), half_rest (DLMF 22.6(iii)), half_rest_beyond (DLMF 22.6(iii)),
     half_rest_beyond_each (DLMF 22.6(iii)), half_rest_each (DLMF 22.6(iii)), half_square (DLMF 22.6(iii)),
     half_square_beyond (DLMF 22.6(iii)), half_square_beyond_each (DLMF 22.6(iii)),
-    half_square_each (DLMF 22.6(iii)), near_by_phase (DLMF 19.25.35), others_product, others_product_each,
-    others_sum, others_sum_each, pair_lift, pair_lift_each, pair_root, pair_root_each,
-    pair_root_sum (DLMF 19.26(iii)), pair_root_sum_each (DLMF 19.26(iii)), phase_lead, phase_lead_each,
-    phase_rate (DLMF 19.2.4), phase_rate_each (DLMF 19.2.4), phase_ratio (DLMF 19.2.4), phase_sum, phase_sum_each,
-    point_near, point_near_each, point_pole (exsl22), point_pole_each (exsl22), point_speed (exsl8), pole_gap,
-    pole_gap_each, rest_fall, rest_fall_each, rest_moment, rest_moment_each, rest_stiffness, rest_stiffness_each,
-    second_kind_step (DLMF 19.8.19), second_kind_step_each (DLMF 19.8.19), strength (exsl17),
-    strength_each (exsl17), tip_cubic, tip_cubic_each, turn_level, turn_over (DLMF 4.21(iii)), turn_tilt,
-    turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)), w_imag_each (DLMF 19.29(ii)),
-    w_real (DLMF 19.29(ii)), w_real_each (DLMF 19.29(ii))
-Digest of the inputs: sha256 5d0216e8f5c412d9387d1be3519bfdd037e864ecb439d8a753d6f51c9ea83205
+    half_square_each (DLMF 22.6(iii)), lag_step (DLMF 19.8(iii)), lag_step_each (DLMF 19.8(iii)),
+    near_by_phase (DLMF 19.25.35), others_product, others_product_each, others_sum, others_sum_each, pair_lift,
+    pair_lift_each, pair_root, pair_root_each, pair_root_sum (DLMF 19.26(iii)),
+    pair_root_sum_each (DLMF 19.26(iii)), phase_bend (DLMF 19.8(iii)), phase_bend_each (DLMF 19.8(iii)),
+    phase_lead, phase_lead_each, phase_rate (DLMF 19.2.4), phase_rate_each (DLMF 19.2.4),
+    phase_ratio (DLMF 19.2.4), phase_sum, phase_sum_each, point_near, point_near_each, point_pole (exsl22),
+    point_pole_each (exsl22), point_speed (exsl8), rest_fall, rest_fall_each, rest_moment, rest_moment_each,
+    rest_stiffness, rest_stiffness_each, shot_bend, shot_bend_each, strength (exsl17), strength_each (exsl17),
+    tip_cubic, tip_cubic_each, turn_level, turn_over (DLMF 4.21(iii)), turn_tilt, turn_tilt_apart, turn_under,
+    unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)), w_imag_each (DLMF 19.29(ii)), w_real (DLMF 19.29(ii)),
+    w_real_each (DLMF 19.29(ii))
+Digest of the inputs: sha256 bd713703d012b3711e0b7973e3dbda6dd8f713ce65e37d89c71bd48cb08c7180
 """
 
 from __future__ import annotations
@@ -47,9 +48,22 @@ __all__ = ["Equilibrium", "Shape", "Sweep", "equilibria", "shape", "sweep"]
 
 # Constants
 
+SHORT_SLOW = 1.4 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
+LEVEL = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
+REACH = 1e-3  # by how much more than a bound tips are looked for
+SLACK = 0.02  # by how much more than the bound samples must be apart for that
+CLOSEST = 2.0**-26  # least distance of samples, as a share of how far a tip may be from the clamp angle
+UNSURE = 1e-10  # as a share of the same, what is missed of which the hundredth part may be wrong
+ALIKE = 1e-14  # as ``UNSURE``, what rounding may have made of zero
+DEEP = 30  # places beyond which tips are told by other means
+WITHIN = 2  # spacings of the length to which time maps are right
+TRIES = 24
+NEAR = 0.5  # how far a tip may be from where it was aimed, as a difference of places
 TINIEST = 1e-300  # instead of less, where it is divided by
 SAFE = 1e-9  # bounds count where they hold by this much more than they must
+NEAREST = 0.3  # about the least distance of places between which a branch may have two extrema, 0.6 seen
 FEW = 64  # points up to which each is computed by itself
+LARGE = 4.0  # an angle beyond which a rounding more would show
 COARSE = 8  # bins up to which a range is not divided to find straight ones in it
 SHORT = 128  # bins up to which none is looked for that is straight
 LONGEST = 48  # the longest series; where more terms are wanted, bins are halved
@@ -63,21 +77,32 @@ LOOKUP_BLOCK = 8192  # points at a time, so that what is gathered for them stays
 BLOCK = 8192  # rods at once
 FEWEST = 16  # rods that are faster on arrays than one by one
 SLOWEST = 250.0  # ℓ√(β + η) from which offsets would be too small for their squares
-SHOT_SLOW = 1.2 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
+SHOT_SLOW = 1.4 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
 STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
+ROUGH_BLUR = 1e-3  # what is missed is right to half of that in single precision (docs/solver.md)
+ROUGH_SHOT = 1.2 * pi  # ℓ√(β + η) from which only to
+WIDER = 6.0  # times as much
+ROUGH_HALVINGS = 2  # of spans in single precision
+BLUR = 2e-11  # the same in double precision, on all
+SPAN_HALVINGS = 18  # of the rest
+EVEN = 3.0  # step between tips, over the steepest slope
 SHOTS = 512  # rods at once
-EVEN = 2.0  # step between tips, over the steepest slope
-LOOKS = 4  # each at so many tips nearer to it
-FINE = 9  # tips about an extremum
+FEWEST_SPANS = 16
+AT_ONCE = 2048  # rows at once where there are many arrays: they stay in the cache, and in memory that is there already
+MOVING = 1e-6  # a step after which another one is not yet as small as rounding
 AIMS = 4  # steps towards a zero
 AIM_SPREAD = 1e-6  # distance of two shares from which they tell a slope
+AGAIN = 4  # as often for those that are still far
 NEARLY = 0.3  # how far η may be below the value at which a ridge appears, and still slow motions down, over β + η
 SHARP = 0.01  # the same from which on the dips are too narrow for the samples here
 SURELY = 1e-5  # bounds count where they hold by this much more than they must
 ROUGH_SLOW = 12  # ℓ√(β + η) up to which single precision holds the places of all tips but the most extreme
+SHOT_EASE = 7  # the same where tips are known nearly, and only near folds take more than a few steps
 STEPS = 3  # rough steps, after which most places are right to single precision
 SPREAD = 2.0**-9  # distance of two places from which they tell the slope of a branch in single precision
+EASE = 2  # how often the rounding that is taken for none is doubled: times of long rods have more of it
 TOLD = 1e-10  # change of a place from which the change of a length tells the slope
+NOISE = 3  # roundings of the length that the times may have of their own
 HITS = 0  # as ``SECANTS``, for tips that are known nearly to rounding
 HALVINGS = 4  # of the stretch at the low end in which no motion arrives in time
 LATEST = 12.0  # places beyond which a count is its limit, but for the doubts of a hundred thousandth of all ranges
@@ -95,15 +120,21 @@ LAST = 100  # beyond the rank of any range
 # Special functions
 
 
+def in_a_line(value):
+    """The text of a value for an error, which is one line."""
+    return " ".join(repr(value).split())
+
+
 def real(name: str, value: object) -> float:
     """A finite real number as a float; TypeError or ValueError names the argument that is none."""
     numeric = getattr(getattr(value, "dtype", None), "kind", "f") in "fiu" and not getattr(value, "ndim", 0)
-    if isinstance(value, (str, bytes, bool, complex)) or not numeric or not hasattr(value, "__float__"):
-        raise TypeError(f"{name} must be a real number, got {value!r}")
+    masked = hasattr(value, "mask")
+    if masked or isinstance(value, (str, bytes, bool, complex)) or not numeric or not hasattr(value, "__float__"):
+        raise TypeError(f"{name} must be a real number, got {in_a_line(value)}")
     try:
         number = float(value)
     except (TypeError, ValueError):
-        raise TypeError(f"{name} must be a real number, got {value!r}") from None
+        raise TypeError(f"{name} must be a real number, got {in_a_line(value)}") from None
     except OverflowError:
         raise ValueError(f"{name} must be finite, got a number too large for a double") from None
     if not isfinite(number):
@@ -114,11 +145,6 @@ def real(name: str, value: object) -> float:
 def less_quarters(angle, quarters):
     """angle − quarters·π/2, with π/2 in two parts of which the first has 33 bits, so that nothing is lost."""
     return (angle - quarters * 1.5707963267341256) - quarters * 6.077100506506192e-11
-
-
-def pick(condition, yes, no):
-    """``yes`` where the condition holds, else ``no``."""
-    return yes if condition else no
 
 
 def larger(x, y):
@@ -150,9 +176,24 @@ def arctan_share(z, end):
     return complex_log((1 + root) * (1 + root) / end) / (2 * root)
 
 
+def arc_excess(x):
+    """x − sin x, by its series where x is small."""
+    if x > 1:
+        return x - sin(x)
+    square, share = x * x, 1.0
+    for number in (272, 210, 156, 110, 72, 42, 20):
+        share = 1 - square / number * share
+    return x * square / 6 * share
+
+
 def plus_quarters(angle, quarters):
     """angle + quarters·π/2, rounded once where the sum is large."""
     return (angle + quarters * 6.077100506506192e-11) + quarters * 1.5707963267341256
+
+
+def apart_by_quarters(angle, quarters):
+    """Two numbers that add up to angle + quarters·π/2, of which only the sum is rounded at its size."""
+    return quarters * 1.5707963267341256, angle + quarters * 6.077100506506192e-11
 
 
 def in_doubles(x):
@@ -172,6 +213,11 @@ def each_sin(x):
     return tangent
 
 
+def each_less_quarters(angle, quarters):
+    """angle − quarters·π/2, with π/2 in two parts of which the first has 33 bits, so that nothing is lost."""
+    return (angle - quarters * 1.5707963267341256) - quarters * 6.077100506506192e-11
+
+
 def each_cos(x):
     """cos x, likewise; to as much of 1."""
     if not in_doubles(x):
@@ -185,15 +231,15 @@ def each_cos(x):
     return above
 
 
-def each_less_quarters(angle, quarters):
-    """angle − quarters·π/2, with π/2 in two parts of which the first has 33 bits, so that nothing is lost."""
-    return (angle - quarters * 1.5707963267341256) - quarters * 6.077100506506192e-11
-
-
 def each_pick(condition, yes, no):
     """``yes`` where the condition holds, else ``no``; whole numbers take the precision of what they meet."""
     chosen = np.where(condition, yes, no)
     return chosen.astype(np.float32) if chosen.dtype.kind in "ib" else chosen
+
+
+def each_any_of(condition):
+    """Whether it holds anywhere, in a fifth of the time of NumPy's function for that."""
+    return np.logical_or.reduce(condition, axis=None)
 
 
 def each_spacing(x):
@@ -228,34 +274,49 @@ def each_complex_sqrt(z):
 
 
 def each_complex_atanh(root, end):
-    """artanh r for Re r ≥ 0 and end = 1 − r², by real functions: no logarithm of a number near 1 where r is small."""
-    ahead = 1 + root
-    share = np.abs(ahead) / np.abs(end)
-    turned = ahead * ahead / end
-    return each_complex_of(np.log1p(4 * root.real * share * share) / 4, np.arctan2(turned.imag, turned.real) / 2)
+    """artanh r for Re r ≥ 0 and end = 1 − r², by real functions: no digits are lost where r is small, or near 1."""
+    x, y, left, below = root.real, root.imag, end.real, end.imag
+    ahead, less, more, small = 1 + root, 1 - x, 1 + x, x < 0.5
+    # 1/|1 − r|², and the argument of (1 + r)/(1 − r): by its tangent 2 Im r/(1 − |r|²), or of (1 + r)²/end.
+    share = np.where(small, 1 / (less * less + y * y), (more * more + y * y) / (left * left + below * below))
+    turned = ahead * ahead * end.conjugate()
+    angle = np.arctan2(np.where(small, 2 * y, turned.imag), np.where(small, left - 2 * y * y, turned.real))
+    return each_complex_of(np.log1p(4 * x * share) / 4, angle / 2)
 
 
 def each_arctan_share(z, end):
     """R_C(1, end) for complex end = 1 + z: arctan(√z)/√z, by its series where z is small (DLMF 19.2.18)."""
-    far = np.abs(z) >= 0.001
+    size = np.abs(z)
+    far = size >= 1e-3
     if far.all():
         root = each_complex_sqrt(-z)
         return each_complex_atanh(root, end) / root
+    if not each_any_of(size >= 3e-6):
+        return 1 - z * (1 / 3 - z / 5)
     share = 1 - z * (1 / 3 - z * (1 / 5 - z * (1 / 7 - z * (1 / 9 - z / 11))))
-    if np.any(far):
+    if each_any_of(far):
         share[far] = each_arctan_share(z[far], end[far])
     return share
+
+
+def each_arc_excess(x):
+    """x − sin x, by its series where x is small."""
+    square = x * x
+    share = 1.0
+    for number in (272, 210, 156, 110, 72, 42, 20):
+        share = 1 - square / number * share
+    return np.where(x > 1, x - each_sin(x), x * square / 6 * share)
 
 
 # Formulas, as derived
 
 
-def rest_fall(stiffness, middle_sine, middle_cosine, half_sine, half_cosine):
-    """V(rest + middle − half) − V(rest + middle + half), from a direction without moment.
+def shot_bend(growth):
+    """a bound of |∂²θ(0)/∂θ(ℓ)²| for every tip, by cosh(ℓ√(β + η)) − 1: it solves G″ = (β + η)G + (β + 2η)cosh².
 
-    Proved as swing.rest_fall.
+    Proved as swing.shot_bend.
     """
-    return 8 * stiffness * middle_sine * middle_cosine * half_sine * half_cosine
+    return growth * (3 + growth) / 3
 
 
 def rest_moment(stiffness, sine, cosine):
@@ -264,6 +325,14 @@ def rest_moment(stiffness, sine, cosine):
     Proved as swing.rest_moment.
     """
     return 2 * stiffness * sine * cosine
+
+
+def rest_fall(stiffness, middle_sine, middle_cosine, half_sine, half_cosine):
+    """V(rest + middle − half) − V(rest + middle + half), from a direction without moment.
+
+    Proved as swing.rest_fall.
+    """
+    return 8 * stiffness * middle_sine * middle_cosine * half_sine * half_cosine
 
 
 def phase_sum(root_near, root_far, done_sine, left_sine):
@@ -424,14 +493,6 @@ def others_sum(q, root):
     return -0.25 * q - root
 
 
-def pole_gap(pole, size, others_sum, others_product, pair_root):
-    """x² − x√X₂√X₃, with size = |x|, x > 0.
-
-    Proved as swing.pole_gap.
-    """
-    return pole * (pole * others_sum - others_product) / (size + pair_root)
-
-
 def others_product(b, m, root, others_sum):
     """ê₂ê₃ by ê₁ and ê₂ + ê₃.
 
@@ -440,31 +501,48 @@ def others_product(b, m, root, others_sum):
     return 0.25 * b * m - root * others_sum
 
 
-def arc_kink(square, delta, across, b, pole, near_root, pair_root):
+def arc_kink(first, square, delta, across, b, pole, root, near_root, pair_root):
     """The part of ∫η cos²(θ − α)dσ without integral.
 
     Equation DLMF 19.29(ii); proved as swing.arc_kink.
     """
-    return 4 * delta * across / square - 2 * near_root * (1 + pole * pair_root / (b * b + pole * pole))
+    return (
+        across * (2 * first * first - 2 * root) / delta
+        + 4 * delta * across / square
+        - 2 * near_root * (1 + pole * pair_root / (b * b + pole * pole))
+    )
 
 
-def arc_kink_tip(first, second, delta, across, b, pole, near_root, gap):
-    """The same where x is large, by x² − x√X₂√X₃.
+def arc_kink_tip(first, delta, across, b, pole, root, others_sum, others_product, lift):
+    """The same towards the tip, with lift = x + √X₂√X₃: it is small as σ³, and so are its terms.
 
     Proved as swing.arc_kink_tip.
     """
     return (
-        across * (4 * second - 4 * first) * (first + second) / delta
-        + 2 * near_root * (gap + b * b) / (b * b + pole * pole)
+        across
+        * (
+            (lift + first * first - root - others_sum) * b * b
+            + pole * (first * first - root) * (pole * others_sum - others_product) / lift
+            - pole * others_product
+        )
+        / (delta * (b * b + pole * pole))
     )
 
 
-def second_kind_step(total, gap, below, square, rest, arc):
-    """2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step; below = a + Δ.
+def phase_bend(share, first_share, square, rest, across, delta):
+    """kS′τ′/(1 + kS′) after Gauss's step, by k = (a − b)/(a + b) and 1 + k; τ = sin ψ cos ψ/Δ.
 
-    Equation DLMF 19.8.19; proved as swing.second_kind_step.
+    Equation DLMF 19.8(iii); proved as swing.phase_bend.
     """
-    return total * gap * (0.5 * arc - sqrt(square * rest) / below)
+    return share * square * across / ((rest + first_share * square) * delta)
+
+
+def lag_step(bend, share, second_share, square, rest):
+    """τ′ − τ for τ = sin ψ cos ψ/Δ, τ′ the same after Gauss's step, by ``phase_bend``, k and 1 − k.
+
+    Equation DLMF 19.8(iii); proved as swing.lag_step.
+    """
+    return bend * share * rest / (rest + second_share * square)
 
 
 def gauss_gap(gap, total):
@@ -475,12 +553,17 @@ def gauss_gap(gap, total):
     return 0.25 * gap * gap / total
 
 
-def arc_square(beta, first, root, arc, y_apart, kink, growth):
+def arc_square(beta, first, second, root, y_apart, kink, turned, lag):
     """η∫cos²(θ − α)dσ from the tip to the point less what it is along the tip's direction, by the same of y.
 
     Equation DLMF 19.29(ii); proved as swing.arc_square.
     """
-    return -beta * y_apart - 2 * arc * (2 * first * first - 2 * root) - 2 * kink - 8 * growth
+    return (
+        -beta * y_apart
+        - 8 * turned * (second - first) * (first + second)
+        - 2 * lag * (2 * first * first - 2 * root)
+        - 2 * kink
+    )
 
 
 def strength(moment_there):
@@ -723,6 +806,14 @@ def far_cosine(second, square, delta):
     return second * sqrt(square) / delta
 
 
+def shot_bend_each(growth):
+    """a bound of |∂²θ(0)/∂θ(ℓ)²| for every tip, by cosh(ℓ√(β + η)) − 1: it solves G″ = (β + η)G + (β + 2η)cosh².
+
+    Proved as swing.shot_bend.
+    """
+    return growth * (3 + growth) / 3
+
+
 def rest_fall_each(stiffness, middle_sine, middle_cosine, half_sine, half_cosine):
     """V(rest + middle − half) − V(rest + middle + half), from a direction without moment.
 
@@ -825,6 +916,46 @@ def gauss_rest_each(first, second, square, rest, delta, below):
     )
 
 
+def strength_each(moment_there):
+    """b of the expansion t = b/(℘ − c), by θ″ at the tip.
+
+    Equation exsl17; proved as swing.strength.
+    """
+    return 0.25 * moment_there
+
+
+def point_near_each(b, sine, done_sine, left_sine):
+    """X₁ = x − ê₁ at a point, zero at the far turning point, by sin D, sin(δ/2) and sin(D − δ/2).
+
+    Proved as swing.point_near.
+    """
+    return b * left_sine / (sine * done_sine)
+
+
+def pair_root_each(root_near, done_sine, whole, rate):
+    """√X₂√X₃ by the phase's sum and the rate of χ over that at the turning points.
+
+    Proved as swing.pair_root.
+    """
+    return 0.125 * root_near * whole * rate / done_sine
+
+
+def pair_root_sum_each(square, delta):
+    """√X₂ + √X₃ by sin²ψ and Δ.
+
+    Equation DLMF 19.26(iii); proved as swing.pair_root_sum.
+    """
+    return 2 * delta / np.sqrt(square)
+
+
+def point_pole_each(b, sine, cosine):
+    """x = ℘ − c by the sine and cosine of δ/2, or any two numbers in their ratio.
+
+    Equation exsl22; proved as swing.point_pole.
+    """
+    return b * cosine / sine
+
+
 def far_root_each(near, cosine):
     """ê₁, the value of x at the far turning point, by P and cos D.
 
@@ -897,14 +1028,6 @@ def others_sum_each(q, root):
     return -0.25 * q - root
 
 
-def pole_gap_each(pole, size, others_sum, others_product, pair_root):
-    """x² − x√X₂√X₃, with size = |x|, x > 0.
-
-    Proved as swing.pole_gap.
-    """
-    return pole * (pole * others_sum - others_product) / (size + pair_root)
-
-
 def others_product_each(b, m, root, others_sum):
     """ê₂ê₃ by ê₁ and ê₂ + ê₃.
 
@@ -913,31 +1036,48 @@ def others_product_each(b, m, root, others_sum):
     return 0.25 * b * m - root * others_sum
 
 
-def arc_kink_each(square, delta, across, b, pole, near_root, pair_root):
+def arc_kink_each(first, square, delta, across, b, pole, root, near_root, pair_root):
     """The part of ∫η cos²(θ − α)dσ without integral.
 
     Equation DLMF 19.29(ii); proved as swing.arc_kink.
     """
-    return 4 * delta * across / square - 2 * near_root * (1 + pole * pair_root / (b * b + pole * pole))
+    return (
+        across * (2 * first * first - 2 * root) / delta
+        + 4 * delta * across / square
+        - 2 * near_root * (1 + pole * pair_root / (b * b + pole * pole))
+    )
 
 
-def arc_kink_tip_each(first, second, delta, across, b, pole, near_root, gap):
-    """The same where x is large, by x² − x√X₂√X₃.
+def arc_kink_tip_each(first, delta, across, b, pole, root, others_sum, others_product, lift):
+    """The same towards the tip, with lift = x + √X₂√X₃: it is small as σ³, and so are its terms.
 
     Proved as swing.arc_kink_tip.
     """
     return (
-        across * (4 * second - 4 * first) * (first + second) / delta
-        + 2 * near_root * (gap + b * b) / (b * b + pole * pole)
+        across
+        * (
+            (lift + first * first - root - others_sum) * b * b
+            + pole * (first * first - root) * (pole * others_sum - others_product) / lift
+            - pole * others_product
+        )
+        / (delta * (b * b + pole * pole))
     )
 
 
-def second_kind_step_each(total, gap, below, square, rest, arc):
-    """2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step; below = a + Δ.
+def phase_bend_each(share, first_share, square, rest, across, delta):
+    """kS′τ′/(1 + kS′) after Gauss's step, by k = (a − b)/(a + b) and 1 + k; τ = sin ψ cos ψ/Δ.
 
-    Equation DLMF 19.8.19; proved as swing.second_kind_step.
+    Equation DLMF 19.8(iii); proved as swing.phase_bend.
     """
-    return total * gap * (0.5 * arc - np.sqrt(square * rest) / below)
+    return share * square * across / ((rest + first_share * square) * delta)
+
+
+def lag_step_each(bend, share, second_share, square, rest):
+    """τ′ − τ for τ = sin ψ cos ψ/Δ, τ′ the same after Gauss's step, by ``phase_bend``, k and 1 − k.
+
+    Equation DLMF 19.8(iii); proved as swing.lag_step.
+    """
+    return bend * share * rest / (rest + second_share * square)
 
 
 def gauss_gap_each(gap, total):
@@ -948,28 +1088,17 @@ def gauss_gap_each(gap, total):
     return 0.25 * gap * gap / total
 
 
-def arc_square_each(beta, first, root, arc, y_apart, kink, growth):
+def arc_square_each(beta, first, second, root, y_apart, kink, turned, lag):
     """η∫cos²(θ − α)dσ from the tip to the point less what it is along the tip's direction, by the same of y.
 
     Equation DLMF 19.29(ii); proved as swing.arc_square.
     """
-    return -beta * y_apart - 2 * arc * (2 * first * first - 2 * root) - 2 * kink - 8 * growth
-
-
-def strength_each(moment_there):
-    """b of the expansion t = b/(℘ − c), by θ″ at the tip.
-
-    Equation exsl17; proved as swing.strength.
-    """
-    return 0.25 * moment_there
-
-
-def point_pole_each(b, sine, cosine):
-    """x = ℘ − c by the sine and cosine of δ/2, or any two numbers in their ratio.
-
-    Equation exsl22; proved as swing.point_pole.
-    """
-    return b * cosine / sine
+    return (
+        -beta * y_apart
+        - 8 * turned * (second - first) * (first + second)
+        - 2 * lag * (2 * first * first - 2 * root)
+        - 2 * kink
+    )
 
 
 def far_pair_root_each(end):
@@ -978,30 +1107,6 @@ def far_pair_root_each(end):
     Proved as swing.far_pair_root.
     """
     return 0.25 * end * end
-
-
-def point_near_each(b, sine, done_sine, left_sine):
-    """X₁ = x − ê₁ at a point, zero at the far turning point, by sin D, sin(δ/2) and sin(D − δ/2).
-
-    Proved as swing.point_near.
-    """
-    return b * left_sine / (sine * done_sine)
-
-
-def pair_root_each(root_near, done_sine, whole, rate):
-    """√X₂√X₃ by the phase's sum and the rate of χ over that at the turning points.
-
-    Proved as swing.pair_root.
-    """
-    return 0.125 * root_near * whole * rate / done_sine
-
-
-def pair_root_sum_each(square, delta):
-    """√X₂ + √X₃ by sin²ψ and Δ.
-
-    Equation DLMF 19.26(iii); proved as swing.pair_root_sum.
-    """
-    return 2 * delta / np.sqrt(square)
 
 
 # Solver
@@ -1239,33 +1344,193 @@ def clamp_in(rests, angle):
     return Clamp((turns, offsets))
 
 
-class Ground(Record):
-    """What the ranges of a rod are told by: its landscape and the clamp's offsets from the directions there.
+def miss_of(beta, clamp_angle, offset):
+    """The angle at arc length 0 of a motion from a tip at an offset from the clamp angle, less the clamp angle.
 
-    drop: V(hill) − V(ridge); level: from the hill to the level of the ridge, depth: from there to the well; by_hill:
-    level is told by the hill, depth by the well if not; height: V(ridge) − V(clamp). They are 0 where no ridge is lower
-    than the hill.
+    The rod's length is 1.
+    """
+    tip = clamp_angle + offset
+    along, across = beta * cos(tip), beta * sin(tip)
+    p, m, q = across, across, along
+    quarter, c = p * m / 4, q / 12
+    g2, g3 = q * c - quarter, (quarter - q * q / 18) * c - along * p * p / 16
+    # ℘(1) by the series at 1/8 and three doublings.
+    a, b, fourth, twice = g2 / 81920, g3 / 7340032, g2 / 4, 2 * g3
+    value = 64 * (1 + a + b + a * a / 3 + a * b * (3 / 11) + (2 * a * a * a / 3 + b * b) / 13)
+    for _ in range(3):
+        squared = value * value
+        above = squared + fourth
+        value = (above * above + twice * value) / (value * (4 * squared - g2) - g3)
+    return offset + 2 * atan2(p / 4, value - c)
+
+
+def samples_apart(function, reach, sag):
+    """Places and the values there, such that one zero or none lies between two; None where there is a doubt.
+
+    The function is above the chord between two places by no more than sag·width²/4. Where its values are on one side
+    of zero it has none between if the sum of their square roots is more than the width times √sag; and where their
+    sum is more than sag·width² it rises or falls all the way.
+    """
+    places, values = [-reach], [function(-reach)]
+    todo, bound = [(reach, function(reach))], (1 + SLACK) * sag
+    while todo:
+        place, value = todo[-1]
+        before, width = values[-1], place - places[-1]
+        apart = abs(value - before) if (value > 0) != (before > 0) else abs(value + before) + 2 * sqrt(value * before)
+        if apart > bound * width * width:
+            places.append(place)
+            values.append(value)
+            todo.pop()
+        elif width < CLOSEST * reach:
+            return None
+        else:
+            middle = place - width / 2
+            todo.append((middle, function(middle)))
+    return None if min(abs(value) for value in values) < UNSURE * reach else (places, values)
+
+
+class Shot(Record):
+    """A tip, by its offset from the clamp angle; rate: ∂θ(0)/∂θ(ℓ)."""
+
+    __slots__ = ()
+
+    offset: float
+    rate: float
+
+
+def smooth_root(function, low, high, value_low, value_high, blur):
+    """A zero of a function that rises or falls all the way between two places, and its slope there, by secants.
+
+    Where the function is cheap and all but straight these take less time than polynomials. blur: a value that rounding
+    may have made of zero; values that differ by less than a thousand of it tell no slope.
+    """
+    slope, rising = (value_high - value_low) / (high - low), value_high > value_low
+    place, value = (low, value_low) if abs(value_low) < abs(value_high) else (high, value_high)
+    while abs(value) > blur:
+        trial = place - value / slope
+        if not low < trial < high:
+            trial = (low + high) / 2
+            if not low < trial < high:
+                break
+        new = function(trial)
+        if (new > 0) == rising:
+            high = trial
+        else:
+            low = trial
+        if abs(new - value) > 1000 * blur:
+            slope = (new - value) / (trial - place)
+        place, value = trial, new
+    return place - value / slope, slope
+
+
+def zeros_between(function, places, values, reach):
+    """The zeros between the places, as Shots."""
+    found = []
+    for k in range(1, len(places)):
+        if (values[k] > 0) != (values[k - 1] > 0):
+            span = places[k - 1], places[k], values[k - 1], values[k]
+            found.append(Shot(smooth_root(function, *span, ALIKE * reach)))
+    return found
+
+
+def tip_shots(beta, length, clamp_angle):
+    """All tips of a short rod, as Shots from the lowest up; None if it is not short, or samples leave a doubt."""
+    slow, square = length * sqrt(beta), length * length
+    if slow > SHORT_SLOW:
+        return None
+    beta = beta * square
+    clamp = less_quarters(clamp_angle, 4 * floor(clamp_angle / (2 * pi) + 0.5))
+    if abs(beta * sin(clamp)) < LEVEL:
+        return None
+
+    def missed(offset):
+        return miss_of(beta, clamp, offset)
+
+    # θ″ is nowhere more than β + η/2, and no motion is wider than a turn.
+    reach = (1 + REACH) * min(beta / 2, 2 * pi)
+    samples = samples_apart(missed, reach, shot_bend((exp(slow / 2) - exp(-slow / 2)) ** 2 / 2) / 2)
+    return None if samples is None else zeros_between(missed, samples[0], samples[1], reach)
+
+
+def mirror_shots(shots):
+    """The tips of the rod seen from the other side of the y axis."""
+    return [Shot((-shot.offset, shot.rate)) for shot in shots[::-1]]
+
+
+class Delay(Record):
+    """By how much a motion lasts longer when the place goes deeper by one, where that is all that changes.
+
+    Near an end the rod is straight for long along the directions at which the motion nearly rests: at the tip, in the
+    middle, and at the far turning point. arrival: the share of ``middle`` before the first arrival.
     """
 
     __slots__ = ()
-    scene: Landscape
-    at: tuple[float, ...]
-    drop: float
-    level: float
-    depth: float
-    by_hill: bool
-    height: float
+
+    deepest: float
+    tip: float
+    middle: float
+    far: float
+    arrival: float
 
 
-def level_ground(scene, at):
-    """The ground without a ridge lower than the hill."""
-    return Ground((scene, at, 0, 0, 0, True, 0))
+class Basin(Record):
+    """What stops the rod and what it swings about: the hill that tips come from and the well below them, the hill
+    that stops the motion and the last well before it, and the direction where it is slowest between its ends: the
+    ridge that it passes, or the well.
+
+    far_rise: V(far) − V(hill). even: the motion is symmetric about its middle. whole: far is the hill a turn on.
+    shoulder, moment: of a landscape in which a ridge is nearly there; lean: see ``shoulders.level_lean``.
+    """
+
+    __slots__ = ()
+
+    hill: Rest
+    well: Rest
+    far: Rest
+    far_well: Rest
+    axis: Rest
+    far_rise: float
+    passes: bool
+    even: bool
+    whole: bool
+    shoulder: Rest | None
+    moment: float
+    lean: float
 
 
-def ridge_fall(beta, hill, ridge):
-    """V(hill) − V(ridge): the sine of half their distance times the slope of V between, as if it were a circle."""
-    half, middle = (ridge.extra - hill.extra) / 2, pi / 2 + (hill.extra + ridge.extra) / 2
-    return cos(half) * (2 * beta * sin(middle))
+class Piece(Record):
+    """Tip angles from low to low + width in a basin; angles as differences, told without loss.
+
+    low_kind: 'hill', or 'level', where V is that of the ridge. high_kind: 'clamp', the clamp angle itself; 'turn', the
+    angle from which the rod turns back at the clamp angle; 'level'.
+    """
+
+    __slots__ = ()
+
+    basin: Basin
+    low_kind: str
+    high_kind: str
+    low_offset: float  # low − hill
+    width: float
+    high_depth: float  # well − high
+    clamp_gap: float  # clamp − high
+    level_gap: float  # the angle at the level of the ridge − high, of a motion that passes it
+    clamp_rest: Rest  # the direction next to the clamp
+    clamp_offset: float  # clamp − that direction
+    far_gap: float  # far − clamp
+    beyond_well: float  # clamp − far_well
+    past_hill: float  # clamp − hill
+    past_well: float  # clamp − well
+
+
+def moment_from_rest(stiffness, offset):
+    """θ″ = −V′ at an offset from a direction without moment."""
+    return rest_moment(stiffness, sin(offset / 2), cos(offset / 2))
+
+
+def fall_from_rest(stiffness, middle, half):
+    """V(middle − half) − V(middle + half), with both angles measured from a direction without moment."""
+    return rest_fall(stiffness, sin(middle / 2), cos(middle / 2), sin(half / 2), cos(half / 2))
 
 
 def turn_to(start, end):
@@ -1273,9 +1538,33 @@ def turn_to(start, end):
     return (end.quarters - start.quarters) * (pi / 2) + (end.extra - start.extra)
 
 
-def fall_from_rest(stiffness, middle, half):
-    """V(middle − half) − V(middle + half), with both angles measured from a direction without moment."""
-    return rest_fall(stiffness, sin(middle / 2), cos(middle / 2), sin(half / 2), cos(half / 2))
+def within(sine):
+    """A sine that rounding may have brought beyond 1."""
+    return sine if sine < 1 else 1
+
+
+def parallel_side(beta, piece, rise, drop, from_hill, depth):
+    """``far_side`` within a well for a field along the force: the cosines of the turning points add up to −2β/η."""
+    basin = piece.basin
+    if piece.low_kind == "level":
+        low, high = sin(rise / 2) * sin(piece.low_offset + rise / 2), beta / 0.0 + cos(from_hill / 2) ** 2
+    else:
+        low = sin(rise / 2) ** 2
+        low, high = beta / 0.0 + low, -beta / 0.0 - low
+    # sin² and cos² of half the distance from the far turning point to the far hill.
+    low, high = sqrt(low if low > 0 else 0), sqrt(high if high > 0 else 0)
+    distance = 2 * atan2(low, high)
+    down = turn_to(basin.far_well, basin.far)
+    dip = sin(from_hill + depth / 2) * sin(depth / 2)
+    up = 2 * asin(within(dip / sin((down + distance) / 2)))
+    if piece.high_kind == "turn":
+        share = sin(from_hill + drop / 2) * sin(drop / 2) / sin((piece.far_gap + distance) / 2)
+        # The clamp's own distance from the hill is exact, the range's width is not.
+        rough = piece.far_gap - distance
+        left = rough if rough > 0.25 * piece.far_gap else 2 * asin(within(share))
+    else:
+        left = up + piece.high_depth
+    return (up + depth) / 2, left, 0.0, distance
 
 
 def fall(rest, start, change):
@@ -1284,9 +1573,11 @@ def fall(rest, start, change):
     return fall_from_rest(rest.stiffness, start + half, half)
 
 
-def pick_rest(condition, yes, no):
-    """One or the other direction, number by number."""
-    return Rest(pick(condition, *pair) for pair in zip(yes, no, strict=True))
+def tip_fall(piece, change, rise, drop):
+    """V(tip) − V(tip + change), for a tip that is told from the low and the high end of its range."""
+    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
+    upper = from_hill < depth
+    return fall(piece.basin.hill if upper else piece.basin.well, from_hill if upper else -depth, change)
 
 
 def step_to(rest, offset, goal):
@@ -1329,170 +1620,14 @@ def reach(rest, amount, most, side):
     return near
 
 
-def ridge_ground(scene, at, drop):
-    """The ground with a lower ridge."""
-    rests = scene.rests
-    down, above = turn_to(rests[0], rests[1]), fall(rests[2], 0, turn_to(rests[2], rests[1]))
-    # Of a ridge that is next to its wells V tells at the hill nothing.
-    by_hill = drop < above
-    rest, amount = pick_rest(by_hill, rests[0], rests[1]), drop if by_hill else above
-    distance = reach(rest, amount, down, 1 if by_hill else -1)
-    level, depth = distance if by_hill else down - distance, down - distance if by_hill else distance
-    # Near the far hill V says which is higher only by the distance from that hill.
-    height = fall(rests[2], 0, at[2]) if at[2] < -at[4] else fall(rests[4], 0, at[4]) - drop
-    return Ground((scene, at, drop, level, depth, by_hill, height))
-
-
-def ground_of(beta, scene, clamp):
-    """The ground of a rod."""
-    rests, at = scene.rests, clamp.offsets
-    if len(rests) == 3:
-        return level_ground(scene, at)
-    drop = 0 if scene.level else ridge_fall(beta, rests[0], rests[2])
-    # A ridge lower by less than this would be passed only from within its square root of the hill.
-    if drop <= (2.0 ** (-52)) ** 17 * beta:
-        return level_ground(scene._replace(level=True, even=True), at)
-    return ridge_ground(scene, at, drop)
-
-
-def in_basin(at, first, inside, builders):
-    """The range of a clamp inside a basin: one before the well and at it, another beyond."""
-    return [(inside & (at[first + 1] <= 0), builders[0]), (inside & (at[first + 1] > 0), builders[1])]
-
-
-class Basin(Record):
-    """What stops the rod and what it swings about: the hill that tips come from and the well below them, the hill
-    that stops the motion and the last well before it, and the direction where it is slowest between its ends: the
-    ridge that it passes, or the well.
-
-    far_rise: V(far) − V(hill). even: the motion is symmetric about its middle. whole: far is the hill a turn on.
-    shoulder, moment: of a landscape in which a ridge is nearly there.
-    """
-
-    __slots__ = ()
-
-    hill: Rest
-    well: Rest
-    far: Rest
-    far_well: Rest
-    axis: Rest
-    far_rise: float
-    passes: bool
-    even: bool
-    whole: bool
-    shoulder: Rest | None
-    moment: float
-
-
-class Piece(Record):
-    """Tip angles from low to low + width in a basin; angles as differences, told without loss.
-
-    low_kind: 'hill', or 'level', where V is that of the ridge. high_kind: 'clamp', the clamp angle itself; 'turn', the
-    angle from which the rod turns back at the clamp angle; 'level'.
-    """
-
-    __slots__ = ()
-
-    basin: Basin
-    low_kind: str
-    high_kind: str
-    low_offset: float  # low − hill
-    width: float
-    high_depth: float  # well − high
-    clamp_gap: float  # clamp − high
-    level_gap: float  # the angle at the level of the ridge − high, of a motion that passes it
-    clamp_rest: Rest  # the direction next to the clamp
-    clamp_offset: float  # clamp − that direction
-    far_gap: float  # far − clamp
-    beyond_well: float  # clamp − far_well
-    past_hill: float  # clamp − hill
-    past_well: float  # clamp − well
-
-
-def piece_of(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, at):
-    """The record of a range."""
-    rests = (basin.hill, basin.well, basin.axis, basin.far_well, basin.far) if basin.passes else basin[:3]
-    rest, offset = rests[0], at[0]
-    for other, distance in zip(rests[1:], at[1:], strict=False):
-        closer = abs(distance) < abs(offset)
-        if closer:
-            rest, offset = pick_rest(closer, other, rest), distance if closer else offset
-    beyond, last = at[len(rests) - 2 : len(rests)]
-    ends = low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap
-    return Piece((basin, *ends, rest, offset, -last, beyond, at[0], at[1]))
-
-
-def from_hill_to_clamp(basin, at):
-    """From a hill to a clamp before the well."""
-    return piece_of(basin, "hill", "clamp", 0, at[0], -at[1], 0, 0, at)
-
-
-def basin_of(ground, first):
-    """The basin between two neighbouring hills."""
-    scene = ground.scene
-    hill, well, far = scene.rests[first : first + 3]
-    whole = len(scene.rests) == 3
-    even = scene.even and (scene.level or whole)
-    rise, beside = ground.drop if first else 0, (scene.shoulder, scene.moment)
-    return Basin((hill, well, far, well, well, rise, False, even, whole, *beside))
-
-
-def first_clamp(ground):
-    """From the first hill to the clamp."""
-    return from_hill_to_clamp(basin_of(ground, 0), ground.at[:3])
-
-
-def from_hill_to_turn(basin, at):
-    """From a hill to where the rod turns back at a clamp beyond the well."""
-    down, depth = turn_to(basin.hill, basin.well), at[1]
-    width = -at[2]
-    if not basin.even:
-        above = -fall(basin.well, 0, at[1])
-        below = fall(basin.far, 0, at[2]) - basin.far_rise
-        from_top = reach(basin.hill, below if below > 0 else 0, down, 1)
-        from_well = reach(basin.well, above, down, -1)
-        depth = down - from_top if below < above else from_well
-        width = from_top if below < above else down - from_well
-    return piece_of(basin, "hill", "turn", 0, width, depth, depth + at[1], 0, at)
-
-
-def first_turn(ground):
-    """From the first hill to where the rod turns back at the clamp."""
-    return from_hill_to_turn(basin_of(ground, 0), ground.at[:3])
-
-
-def last_clamp(ground):
-    """From the second hill to the clamp."""
-    return from_hill_to_clamp(basin_of(ground, 2), ground.at[2:])
-
-
-def last_turn(ground):
-    """From the second hill to where the rod turns back at the clamp."""
-    return from_hill_to_turn(basin_of(ground, 2), ground.at[2:])
-
-
-def over_ridge(ground):
-    """What stops a motion that passes the ridge."""
-    hill, well, ridge, second, far = ground.scene.rests
-    return Basin((hill, well, far, second, ridge, 0, True, ground.scene.even, True, None, 0.0))
-
-
-def pass_clamp(ground):
-    """From the highest hill to a clamp above the level of the ridge."""
-    at = ground.at
-    return piece_of(over_ridge(ground), "hill", "clamp", 0, at[0], -at[1], 0, ground.level - at[0], at)
-
-
-def pass_level(ground):
-    """From the highest hill to the level of the ridge."""
-    level, depth, at = ground.level, ground.depth, ground.at
-    gap = at[0] - level if ground.by_hill else at[1] + depth
-    return piece_of(over_ridge(ground), "hill", "level", 0, level, depth, gap, 0, at)
-
-
-def moment_from_rest(stiffness, offset):
-    """θ″ = −V′ at an offset from a direction without moment."""
-    return rest_moment(stiffness, sin(offset / 2), cos(offset / 2))
+def reach_either(hill, well, by_hill, amount, most):
+    """``reach`` down from the hill, or up from the well, whichever is asked for."""
+    rest = hill._replace(
+        stiffness=hill.stiffness if by_hill else well.stiffness,
+        double_cosine=hill.double_cosine if by_hill else well.double_cosine,
+        double_sine=hill.double_sine if by_hill else well.double_sine,
+    )
+    return reach(rest, amount, most, -1 if by_hill else 1)
 
 
 def slope(rest, offset):
@@ -1521,157 +1656,11 @@ def onward(rest, start, amount, rough, wanted, moment=0):
     return distance
 
 
-def pass_turn(ground):
-    """From the highest hill to where the rod turns back at a clamp above the level of the ridge, beyond it."""
-    over, level, at = over_ridge(ground), ground.level, ground.at
-    down, below = turn_to(over.hill, over.well), fall(over.far, 0, at[4])
-    # V of the clamp above the first well: above the ridge, and the ridge above the well.
-    above = fall(over.axis, 0, turn_to(over.axis, over.well)) - ground.height
-    by_hill = below < above
-    rest, amount = pick_rest(by_hill, over.hill, over.well), below if by_hill else above
-    distance = reach(rest, amount, down, 1 if by_hill else -1)
-    width, depth = distance if by_hill else down - distance, down - distance if by_hill else distance
-    if over.even:
-        width = -at[4]
-    # Towards the hill V is flat and tells little, but there the angles tell all.
-    near, apart = width >= level / 2, level - width if by_hill else depth - ground.depth
-    start = level if ground.by_hill else -ground.depth
-    rest = pick_rest(ground.by_hill, over.hill, over.well)
-    gap = -onward(rest, start, ground.height, -apart, near) if near else apart
-    return piece_of(over, "hill", "turn", 0, width, depth, at[0] - width if by_hill else at[1] + depth, gap, at)
-
-
-def level_clamp(ground):
-    """From the level of the ridge to the clamp."""
-    level, at = ground.level, ground.at
-    return piece_of(basin_of(ground, 0), "level", "clamp", level, at[0] - level, -at[1], 0, 0, at)
-
-
-def level_turn(ground):
-    """From the level of the ridge to where the rod turns back at the clamp, before the ridge."""
-    basin, level, at = basin_of(ground, 0), ground.level, ground.at
-    down = turn_to(basin.hill, basin.well)
-    above, below = -fall(basin.well, 0, at[1]), fall(basin.far, 0, at[2])
-    from_well = reach(basin.well, above, down, -1)
-    # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
-    from_hill = reach(basin.hill, ground.drop + below, down, 1)
-    near = onward(basin.hill, level, below, from_hill - level, True)
-    width = near if below < above / 4 else down - level - from_well
-    return piece_of(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
-
-
-def ranges(ground):
-    """Every range that a landscape of this kind can have: whether the rod has it, and its builder. From low to high."""
-    at = ground.at
-    if len(at) == 3:
-        return in_basin(at, 0, at[0] > 0, (first_clamp, first_turn))
-    if ground.scene.level:
-        first = in_basin(at, 0, (at[0] > 0) & (at[2] < 0), (first_clamp, first_turn))
-        return first + in_basin(at, 2, at[2] > 0, (last_clamp, last_turn))
-    before, above = at[2] <= 0, at[0] <= ground.level
-    last = (at[2] > 0) & (ground.height > 0)
-    return [
-        (before & above & (at[0] > 0), pass_clamp),
-        ((before & (at[0] > ground.level)) | last, pass_level),
-        ((at[2] > 0) & (ground.height <= 0), pass_turn),
-        *in_basin(at, 0, (at[0] > ground.level) & (at[2] < 0), (level_clamp, level_turn)),
-        *in_basin(at, 2, last, (last_clamp, last_turn)),
-    ]
-
-
-def pieces(beta, scene, clamp):
-    """All ranges of tip angles below the clamp angle."""
-    ground = ground_of(beta, scene, clamp)
-    return [build(ground) for here, build in ranges(ground) if here]
-
-
-def slowness(hill):
-    """Length per unit of the logarithm of the distance from a hill; a flat one is never come near enough to count."""
-    return 1 / sqrt(hill.stiffness) if hill.stiffness > 0 else 0
-
-
-class Delay(Record):
-    """By how much a motion lasts longer when the place goes deeper by one, where that is all that changes.
-
-    Near an end the rod is straight for long along the directions at which the motion nearly rests: at the tip, in the
-    middle, and at the far turning point. arrival: the share of ``middle`` before the first arrival.
-    """
-
-    __slots__ = ()
-
-    deepest: float
-    tip: float
-    middle: float
-    far: float
-    arrival: float
-
-
-def ridge_offset(piece):
-    """Clamp less ridge, for a motion that passes the ridge."""
-    ridge, rest = piece.basin.axis, piece.clamp_rest
-    return piece.clamp_offset if rest.angle == ridge.angle else turn_to(ridge, rest)
-
-
-def delays(piece):
-    """The delays at both ends, beyond the depth at which squares of offsets would underflow."""
-    basin, depth = piece.basin, deepest(piece.width)
-    if basin.hill.stiffness < (2.0 ** (-52)) ** 8:  # so flat that the moment is as the cube of the offset
-        depth = 2 * depth / 3
-    # With next to no moment at the clamp a rod is straight but for an offset whose square would underflow.
-    straight = piece.high_kind == "clamp" and abs(piece.clamp_offset) < (2.0**-52) ** 5
-    far, none = slowness(basin.far), Delay((2 * depth if straight else depth, 0, 0, 0, 0))
-    if piece.low_kind == "level":
-        return Delay((depth, 0, 0, far / 2, 0)), none
-    low = Delay((depth, slowness(basin.hill), 0, far if basin.far_rise == 0 else 0, 0))
-    if piece.high_kind != "level":
-        return low, none
-    ridge = slowness(basin.axis)
-    behind = ridge_offset(piece)
-    return low, Delay((depth, 0, ridge, 0, ridge if behind > 0 else ridge / 2 if behind == 0 else 0))
-
-
-def within(sine):
-    """A sine that rounding may have brought beyond 1."""
-    return sine if sine < 1 else 1
-
-
-def parallel_side(beta, piece, rise, drop, from_hill, depth):
-    """``far_side`` within a well for a field along the force: the cosines of the turning points add up to −2β/η."""
-    basin = piece.basin
-    if piece.low_kind == "level":
-        low, high = sin(rise / 2) * sin(piece.low_offset + rise / 2), beta / 0.0 + cos(from_hill / 2) ** 2
-    else:
-        low = sin(rise / 2) ** 2
-        low, high = beta / 0.0 + low, -beta / 0.0 - low
-    # sin² and cos² of half the distance from the far turning point to the far hill.
-    low, high = sqrt(low if low > 0 else 0), sqrt(high if high > 0 else 0)
-    distance = 2 * atan2(low, high)
-    down = turn_to(basin.far_well, basin.far)
-    dip = sin(from_hill + depth / 2) * sin(depth / 2)
-    up = 2 * asin(within(dip / sin((down + distance) / 2)))
-    if piece.high_kind == "turn":
-        share = sin(from_hill + drop / 2) * sin(drop / 2) / sin((piece.far_gap + distance) / 2)
-        # The clamp's own distance from the hill is exact, the range's width is not.
-        rough = piece.far_gap - distance
-        left = rough if rough > 0.25 * piece.far_gap else 2 * asin(within(share))
-    else:
-        left = up + piece.high_depth
-    return (up + depth) / 2, left, 0.0, distance
-
-
-def reach_either(hill, well, by_hill, amount, most):
-    """``reach`` down from the hill, or up from the well, whichever is asked for."""
-    rest = hill._replace(
-        stiffness=hill.stiffness if by_hill else well.stiffness,
-        double_cosine=hill.double_cosine if by_hill else well.double_cosine,
-        double_sine=hill.double_sine if by_hill else well.double_sine,
-    )
-    return reach(rest, amount, most, -1 if by_hill else 1)
-
-
-def wrapped(angle):
-    """The angle less whole turns, between −π and π."""
-    return angle - 2 * pi * floor(angle / (2 * pi) + 0.5)
+def further(rest, start, amount, rough, far, moment=0):
+    """How far beyond ``start`` V has risen by ``amount``: ``onward`` where the rough value is not told well enough."""
+    better = onward(rest, start, -amount, rough, far == 0, moment)
+    # Newton's method leaves a place where V is nearly level for one far away.
+    return rough if far | (abs(better - rough) > 0.01) else better
 
 
 def beyond_clamp(piece, rise, drop, rough):
@@ -1680,28 +1669,9 @@ def beyond_clamp(piece, rise, drop, rough):
     V falls by the same amount on both sides. The rough value is as good as its difference to the clamp's distance
     from a hill or a well allows.
     """
-    basin, rest, start, moment = piece.basin, piece.clamp_rest, piece.clamp_offset, 0
-    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
-    upper = from_hill < depth
-    amount = fall(pick_rest(upper, basin.hill, basin.well), from_hill if upper else -depth, drop)
-    far = rough > 0.25 * abs(start)
-    if basin.shoulder is not None:
-        apart = wrapped(rest.angle + start - basin.shoulder.angle)
-        near = 2 * abs(apart) < abs(start)
-        rest, start = pick_rest(near, basin.shoulder, rest), apart if near else start
-        moment, far = basin.moment if near else 0, rough > 0.25 if near else far
-    better = onward(rest, start, -amount, rough, far == 0, moment)
-    # Newton's method leaves a place where V is nearly level for one far away.
-    return rough if far | (abs(better - rough) > 0.01) else better
-
-
-def beside_shoulder(basin, angle, offset, moment):
-    """θ″ at an angle, by the shoulder of V if that is nearer than the direction by whose offset it was told."""
-    if basin.shoulder is None:
-        return moment
-    apart = wrapped(angle - basin.shoulder.angle)
-    told = basin.moment * cos(apart) + slope(basin.shoulder, apart)
-    return told if 2 * abs(apart) < abs(offset) else moment
+    far = rough > 0.25 * abs(piece.clamp_offset)
+    amount = tip_fall(piece, drop, rise, drop)
+    return further(piece.clamp_rest, piece.clamp_offset, amount, rough, far)
 
 
 def least_moment(basin):
@@ -1710,15 +1680,16 @@ def least_moment(basin):
     return (2.0**-52) ** 2 if basin.passes or not basin.whole else 4 * 2.0**-52
 
 
-def far_side(piece, rise, drop, depth, done, height):
-    """Half the width of the motion, how far it goes on beyond the clamp, and the moment where it turns."""
+def far_side(piece, rise, drop, depth, height):
+    """Half the width of the motion, how far it goes on beyond the clamp, the moment where it turns, how far that is
+    from the far hill, and what a shoulder tells."""
     basin = piece.basin
     hill, well, far, far_well = basin.hill, basin.well, basin.far, basin.far_well
     down = turn_to(far_well, far)
     if piece.low_kind == "level":
-        below = fall(hill, piece.low_offset, rise)
+        below = -tip_fall(piece, -rise, rise, drop)
     else:
-        below = basin.far_rise + fall(hill, 0, rise)
+        below = basin.far_rise + fall(hill, 0, piece.low_offset + rise)
     if basin.passes:
         # Above the ridge by its height, and the ridge above the well behind it.
         above = height + fall(basin.axis, 0, turn_to(basin.axis, far_well))
@@ -1730,23 +1701,35 @@ def far_side(piece, rise, drop, depth, done, height):
     left = piece.far_gap - distance if by_hill else distance - piece.beyond_well
     if piece.high_kind == "turn":
         left = larger(beyond_clamp(piece, rise, drop, left), 0)
-    if basin.shoulder is not None:
-        # V may be so nearly level there that only from the clamp is it told where the motion turns.
-        turn, half_width = piece.beyond_well + left, (done + left) / 2
-    elif basin.passes:
+    if basin.passes:
         half_width = (turn + depth + turn_to(well, far_well)) / 2
     else:
         half_width = (turn + depth) / 2
     far_moment = (slope(far, -distance) if by_hill else slope(far_well, distance)) * -1
-    far_moment = -beside_shoulder(basin, far_well.angle + turn, distance, -far_moment)
     far_moment = larger(far_moment, least_moment(basin) * distance)
-    return half_width, left, far_moment, distance if by_hill else down - distance
+    return half_width, left, far_moment, distance if by_hill else down - distance, None
+
+
+def shoulder_moment(basin, offset):
+    """θ″ at an offset from the shoulder."""
+    return basin.moment * cos(offset) + slope(basin.shoulder, offset)
+
+
+def beside_shoulder(basin, from_hill, offset, moment):
+    """θ″ at the tip, by the shoulder if that is nearer than the hill or well by whose offset it was told."""
+    apart = from_hill - turn_to(basin.hill, basin.shoulder)
+    return shoulder_moment(basin, apart) if 2 * abs(apart) < abs(offset) else moment
 
 
 def unevenness(near, far):
     """√far − √near: by the roots where they are apart, else by far − near = 2η sin 2(middle − α) sin(half_width)."""
     apart = (8 * near < far) | (8 * far < near) | (near + far < 0.0)
     return sqrt(far) - sqrt(near) if apart else 0.0
+
+
+def wrapped(angle):
+    """The angle less whole turns, between −π and π."""
+    return angle - 2 * pi * floor(angle / (2 * pi) + 0.5)
 
 
 def above_field(basin, offset, turn, height):
@@ -1760,11 +1743,13 @@ def above_field(basin, offset, turn, height):
     return (height + fall(basin.axis, 0, offset)) / (1 if turn == 0 else turn)
 
 
-def mean_less_field(basin, centre, half_width, near, far, height, mean):
+def mean_less_field(basin, centre, half_width, near, far, height, there, mean):
     """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
     level."""
     apart = mean
     close = apart <= 0.0
+    if there is not None:
+        return larger(far if close else apart, 2.0**-52 * far / 4)
     if close:
         # 2(axis − α), and 2(middle − α).
         axis = atan2(basin.axis.double_sine, basin.axis.double_cosine)
@@ -1776,24 +1761,27 @@ def mean_less_field(basin, centre, half_width, near, far, height, mean):
         if far_off:
             # Not from a well that is far from where V is nearly level: there V tells least.
             told, turn = by_near if near < far else by_far, ahead * behind
-            there = above_field(basin, wrapped(-axis - centre), turn, height)
-            known = (there if height <= 0.0 else told) if far_off else known
+            above = above_field(basin, wrapped(-axis - centre), turn, height)
+            known = (above if height <= 0.0 else told) if far_off else known
         apart = known if close else apart
     # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.
     least = larger(height, (2.0**-52) ** 19) if basin.passes else 2.0**-52 * (near if near < far else far) / 4
     return apart if apart > least else least
 
 
-def rates(beta, basin, centre, half_width, sine, near, far, height):
-    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle."""
+def rates(beta, basin, centre, half_width, sine, near, far, height, there):
+    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle; there: the
+    far turning point, if it is beside a shoulder."""
     middle, cosine = basin.axis.angle + centre, cos(half_width)
     cos_middle = cos(middle)
     product = sqrt(near) * sqrt(far)
     excess = -(2 * beta * cos_middle * cosine)
+    if there is not None:
+        excess = far * sine * sine * cosine - 2 * there.stiffness * cosine * cosine
     split, rate = excess < 0, sqrt(product + (excess if excess > 0 else 0))
     if split:
         mean = -(2 * beta * cos_middle)
-        apart = mean_less_field(basin, centre, half_width, near, far, height, mean)
+        apart = mean_less_field(basin, centre, half_width, near, far, height, there, mean)
         rate = sine * sqrt(apart * mean / (product - excess if split else 1)) if split else rate
     return sqrt(product / 2), rate / 2
 
@@ -1815,16 +1803,20 @@ def motion_at(beta, piece: Piece, place):
     # Near the high end the clamp is told from there, else as the tip is: the clamp's own distances are exact.
     done, apart = piece.clamp_gap + drop, piece.past_hill - from_hill if upper else piece.past_well + depth
     done = done if done < 0.5 * (from_hill if upper else abs(piece.past_well)) else apart
+    depth = turn_to(hill, well) - from_hill if upper else depth
+    there = None
     if basin.even:
-        half_width = depth + turn_to(well, basin.axis)
+        half_width = turn_to(hill, basin.axis) - from_hill if upper else depth + turn_to(well, basin.axis)
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
         far_moment, far_distance = near_moment, from_hill
     elif not basin.passes:
         half_width, left, far_moment, far_distance = parallel_side(beta, piece, rise, drop, from_hill, depth)
         half_width = (done + left) / 2 if piece.high_kind == "turn" else half_width
     else:
-        half_width, left, far_moment, far_distance = far_side(piece, rise, drop, depth, done, height)
-        near_moment = beside_shoulder(basin, tip, offset, near_moment)
+        side = far_side(piece, rise, drop, depth, height)
+        half_width, left, far_moment, far_distance, there = side
+        if basin.shoulder is not None:
+            near_moment = beside_shoulder(basin, from_hill, offset, near_moment)
         near_moment = larger(near_moment, least_moment(basin) * abs(offset))
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
     lack = (from_hill + far_distance) / 2 if basin.whole else pi - half_width
@@ -1836,7 +1828,7 @@ def motion_at(beta, piece: Piece, place):
     left_sine = sin(lack + done / 2 if left > pi else left / 2)
     half_cosine = sin(lack / 2)
     centre = half_width - depth - turn_to(well, basin.axis)
-    end, middle = rates(beta, basin, centre, half_width, sine, near, far, height)
+    end, middle = rates(beta, basin, centre, half_width, sine, near, far, height, there)
     return Motion(
         (
             tip,
@@ -1943,6 +1935,326 @@ def sample_at(beta, piece, ends, place):
     return Sample((place, swing, arrival, stay, phase, regular))
 
 
+def speed_at(motion, phase):
+    """|dθ/dσ| where the motion meets the clamp."""
+    return phase.delta * phase.whole / (motion.end * motion.sine) * sqrt(2 * motion.done_sine * motion.left_sine)
+
+
+def excess(item, turns, sign, length):
+    """The length of a branch less the rod's."""
+    return (2 * turns * item.swing if turns else 0) + sign * item.arrival - length
+
+
+class Crossing(Record):
+    """A tip whose rod has the right length, on branch 2·turns·H + sign·t; ``rising``: the branch grows with the tip."""
+
+    __slots__ = ()
+
+    sample: Sample
+    turns: int
+    sign: int
+    rising: bool
+
+
+def crossing_near(sample, start, rate, length, long):
+    """The crossing near a place by secants; None where there is none. rate: ∂θ(0)/∂place, for a rod of this length.
+
+    long: half-swings may fit the rod.
+    """
+    item, place = sample(start), start
+    back = long and abs(2 * item.swing - item.arrival - length) < abs(item.arrival - length)
+    turns, sign = (1, -1) if back else (0, 1)
+    slope, value = -sign * rate / speed_at(item.stay.motion, item.phase), excess(item, turns, sign, length)
+    rising, blur = slope > 0, WITHIN * 2.0**-52 * length
+    for _ in range(TRIES):
+        step = value / slope
+        if abs(value) <= blur or (abs(step) < 2.0 ** (-52) * (1 + abs(place)) and abs(value) < 8 * blur):
+            return Crossing((item, turns, sign, rising))
+        trial = place - step
+        if not abs(trial - start) < NEAR:
+            return None
+        new = sample(trial)
+        missed = excess(new, turns, sign, length)
+        if 2 * abs(missed) > abs(value) and abs(value) < 8 * blur:  # what is left is rounding
+            return Crossing((new if abs(missed) < abs(value) else item, turns, sign, rising))
+        if abs(step) > (2.0 ** (-52)) ** 0.75 * (1 + abs(place)):
+            slope = (missed - value) / (trial - place)
+        item, place, value = new, trial, missed
+    return None
+
+
+def tip_on(beta, length, piece, drop, rate, long):
+    """The crossing of a tip below the high end of a range; None where there is none near it.
+
+    rate: ∂θ(0)/∂θ(ℓ) for a rod of this length. long: half-swings may fit the rod.
+    """
+    rise = piece.width - drop
+    place = log(rise / drop)
+    if not abs(place) < DEEP:
+        return None
+    ends = Delay((inf, 0, 0, 0, 0)), Delay((inf, 0, 0, 0, 0))  # no place is so deep
+
+    def sample(there):
+        return sample_at(beta, piece, ends, there)
+
+    return crossing_near(sample, place, rate * rise * drop / piece.width, length, long)
+
+
+def hits(beta, length, ranges, shots):
+    """All (range, crossing) from Shots below the clamp angle, from the lowest up; None where one is not found."""
+
+    found: list[tuple] = []
+    long = length * sqrt(beta) >= pi
+    for piece in ranges:
+        for shot in shots[len(found) :]:
+            drop = -shot.offset - piece.clamp_gap
+            if not 0 < drop < piece.width:
+                break
+            crossing = tip_on(beta, length, piece, drop, shot.rate, long)
+            if crossing is None:
+                return None
+            found.append((piece, crossing))
+        if len(found) == len(shots):
+            return found
+    return None
+
+
+class Ground(Record):
+    """What the ranges of a rod are told by: its landscape and the clamp's offsets from the directions there.
+
+    drop: V(hill) − V(ridge); level: from the hill to the level of the ridge, depth: from there to the well; by_hill:
+    level is told by the hill, depth by the well if not; height: V(ridge) − V(clamp). They are 0 where no ridge is lower
+    than the hill.
+    """
+
+    __slots__ = ()
+    scene: Landscape
+    at: tuple[float, ...]
+    drop: float
+    level: float
+    depth: float
+    by_hill: bool
+    height: float
+
+
+def level_ground(scene, at):
+    """The ground without a ridge lower than the hill."""
+    return Ground((scene, at, 0, 0, 0, True, 0))
+
+
+def ridge_fall(beta, hill, ridge):
+    """V(hill) − V(ridge): the sine of half their distance times the slope of V between, as if it were a circle."""
+    half, middle = (ridge.extra - hill.extra) / 2, pi / 2 + (hill.extra + ridge.extra) / 2
+    return cos(half) * (2 * beta * sin(middle))
+
+
+def ridge_ground(scene, at, drop):
+    """The ground with a lower ridge."""
+    rests = scene.rests
+    down, above = turn_to(rests[0], rests[1]), fall(rests[2], 0, turn_to(rests[2], rests[1]))
+    # Of a ridge that is next to its wells V tells at the hill nothing.
+    by_hill = drop < above
+    rest, amount = rests[0] if by_hill else rests[1], drop if by_hill else above
+    distance = reach(rest, amount, down, 1 if by_hill else -1)
+    level, depth = distance if by_hill else down - distance, down - distance if by_hill else distance
+    # Near the far hill V says which is higher only by the distance from that hill.
+    height = fall(rests[2], 0, at[2]) if at[2] < -at[4] else fall(rests[4], 0, at[4]) - drop
+    return Ground((scene, at, drop, level, depth, by_hill, height))
+
+
+def ground_of(beta, scene, clamp):
+    """The ground of a rod."""
+    rests, at = scene.rests, clamp.offsets
+    if len(rests) == 3:
+        return level_ground(scene, at)
+    drop = 0 if scene.level else ridge_fall(beta, rests[0], rests[2])
+    # A ridge lower by less than this would be passed only from within its square root of the hill.
+    if drop <= (2.0 ** (-52)) ** 17 * beta:
+        return level_ground(scene._replace(level=True, even=True), at)
+    return ridge_ground(scene, at, drop)
+
+
+def in_basin(at, first, inside, builders):
+    """The range of a clamp inside a basin: one before the well and at it, another beyond."""
+    return [(inside & (at[first + 1] <= 0), builders[0]), (inside & (at[first + 1] > 0), builders[1])]
+
+
+def piece_of(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, at):
+    """The record of a range."""
+    rests = (basin.hill, basin.well, basin.axis, basin.far_well, basin.far) if basin.passes else basin[:3]
+    rest, offset = rests[0], at[0]
+    for other, distance in zip(rests[1:], at[1:], strict=False):
+        closer = abs(distance) < abs(offset)
+        if closer:
+            rest, offset = other if closer else rest, distance if closer else offset
+    beyond, last = at[len(rests) - 2 : len(rests)]
+    ends = low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap
+    return Piece((basin, *ends, rest, offset, -last, beyond, at[0], at[1]))
+
+
+def from_hill_to_clamp(basin, at):
+    """From a hill to a clamp before the well."""
+    return piece_of(basin, "hill", "clamp", 0, at[0], -at[1], 0, 0, at)
+
+
+def basin_of(ground, first):
+    """The basin between two neighbouring hills."""
+    scene = ground.scene
+    hill, well, far = scene.rests[first : first + 3]
+    whole = len(scene.rests) == 3
+    even = scene.even and (scene.level or whole)
+    rise, beside = ground.drop if first else 0, (scene.shoulder, scene.moment, 0.0)
+    return Basin((hill, well, far, well, well, rise, False, even, whole, *beside))
+
+
+def first_clamp(ground):
+    """From the first hill to the clamp."""
+    return from_hill_to_clamp(basin_of(ground, 0), ground.at[:3])
+
+
+def from_hill_to_turn(basin, at):
+    """From a hill to where the rod turns back at a clamp beyond the well."""
+    down, depth = turn_to(basin.hill, basin.well), at[1]
+    width = -at[2]
+    if not basin.even:
+        above = -fall(basin.well, 0, at[1])
+        below = fall(basin.far, 0, at[2]) - basin.far_rise
+        from_top = reach(basin.hill, below if below > 0 else 0, down, 1)
+        from_well = reach(basin.well, above, down, -1)
+        depth = down - from_top if below < above else from_well
+        width = from_top if below < above else down - from_well
+    return piece_of(basin, "hill", "turn", 0, width, depth, depth + at[1], 0, at)
+
+
+def first_turn(ground):
+    """From the first hill to where the rod turns back at the clamp."""
+    return from_hill_to_turn(basin_of(ground, 0), ground.at[:3])
+
+
+def last_clamp(ground):
+    """From the second hill to the clamp."""
+    return from_hill_to_clamp(basin_of(ground, 2), ground.at[2:])
+
+
+def last_turn(ground):
+    """From the second hill to where the rod turns back at the clamp."""
+    return from_hill_to_turn(basin_of(ground, 2), ground.at[2:])
+
+
+def over_ridge(ground):
+    """What stops a motion that passes the ridge."""
+    hill, well, ridge, second, far = ground.scene.rests
+    return Basin((hill, well, far, second, ridge, 0, True, ground.scene.even, True, None, 0.0, 0.0))
+
+
+def pass_clamp(ground):
+    """From the highest hill to a clamp above the level of the ridge."""
+    at = ground.at
+    return piece_of(over_ridge(ground), "hill", "clamp", 0, at[0], -at[1], 0, ground.level - at[0], at)
+
+
+def pass_level(ground):
+    """From the highest hill to the level of the ridge."""
+    level, depth, at = ground.level, ground.depth, ground.at
+    gap = at[0] - level if ground.by_hill else at[1] + depth
+    return piece_of(over_ridge(ground), "hill", "level", 0, level, depth, gap, 0, at)
+
+
+def pass_turn(ground):
+    """From the highest hill to where the rod turns back at a clamp above the level of the ridge, beyond it."""
+    over, level, at = over_ridge(ground), ground.level, ground.at
+    down, below = turn_to(over.hill, over.well), fall(over.far, 0, at[4])
+    # V of the clamp above the first well: above the ridge, and the ridge above the well.
+    above = fall(over.axis, 0, turn_to(over.axis, over.well)) - ground.height
+    by_hill = below < above
+    rest, amount = over.hill if by_hill else over.well, below if by_hill else above
+    distance = reach(rest, amount, down, 1 if by_hill else -1)
+    width, depth = distance if by_hill else down - distance, down - distance if by_hill else distance
+    if over.even:
+        width = -at[4]
+    # Towards the hill V is flat and tells little, but there the angles tell all.
+    near, apart = width >= level / 2, level - width if by_hill else depth - ground.depth
+    start = level if ground.by_hill else -ground.depth
+    rest = over.hill if ground.by_hill else over.well
+    gap = -onward(rest, start, ground.height, -apart, near) if near else apart
+    return piece_of(over, "hill", "turn", 0, width, depth, at[0] - width if by_hill else at[1] + depth, gap, at)
+
+
+def level_clamp(ground):
+    """From the level of the ridge to the clamp."""
+    level, at = ground.level, ground.at
+    return piece_of(basin_of(ground, 0), "level", "clamp", level, at[0] - level, -at[1], 0, 0, at)
+
+
+def level_turn(ground):
+    """From the level of the ridge to where the rod turns back at the clamp, before the ridge."""
+    basin, level, at = basin_of(ground, 0), ground.level, ground.at
+    down = turn_to(basin.hill, basin.well)
+    above, below = -fall(basin.well, 0, at[1]), fall(basin.far, 0, at[2])
+    from_well = reach(basin.well, above, down, -1)
+    # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
+    from_hill = reach(basin.hill, ground.drop + below, down, 1)
+    near = onward(basin.hill, level, below, from_hill - level, True)
+    by_level = below < above / 4
+    width, depth = near if by_level else ground.depth - from_well, ground.depth - near if by_level else from_well
+    return piece_of(basin, "level", "turn", level, width, depth, depth + at[1], 0, at)
+
+
+def ranges(ground):
+    """Every range that a landscape of this kind can have: whether the rod has it, and its builder. From low to high."""
+    at = ground.at
+    if len(at) == 3:
+        return in_basin(at, 0, at[0] > 0, (first_clamp, first_turn))
+    if ground.scene.level:
+        first = in_basin(at, 0, (at[0] > 0) & (at[2] < 0), (first_clamp, first_turn))
+        return first + in_basin(at, 2, at[2] > 0, (last_clamp, last_turn))
+    before, above = at[2] <= 0, at[0] <= ground.level
+    last = (at[2] > 0) & (ground.height > 0)
+    return [
+        (before & above & (at[0] > 0), pass_clamp),
+        ((before & (at[0] > ground.level)) | last, pass_level),
+        ((at[2] > 0) & (ground.height <= 0), pass_turn),
+        *in_basin(at, 0, (at[0] > ground.level) & (at[2] < 0), (level_clamp, level_turn)),
+        *in_basin(at, 2, last, (last_clamp, last_turn)),
+    ]
+
+
+def pieces(beta, scene, clamp):
+    """All ranges of tip angles below the clamp angle, from low to high, one after the other as they are asked for."""
+    ground = ground_of(beta, scene, clamp)
+    found = (build(ground) for here, build in ranges(ground) if here)
+    return found
+
+
+def slowness(hill):
+    """Length per unit of the logarithm of the distance from a hill; a flat one is never come near enough to count."""
+    return 1 / sqrt(hill.stiffness) if hill.stiffness > 0 else 0
+
+
+def ridge_offset(piece):
+    """Clamp less ridge, for a motion that passes the ridge."""
+    ridge, rest = piece.basin.axis, piece.clamp_rest
+    return piece.clamp_offset if rest.angle == ridge.angle else turn_to(ridge, rest)
+
+
+def delays(piece):
+    """The delays at both ends, beyond the depth at which squares of offsets would underflow."""
+    basin, depth = piece.basin, deepest(piece.width)
+    if basin.hill.stiffness < (2.0 ** (-52)) ** 8:  # so flat that the moment is as the cube of the offset
+        depth = 2 * depth / 3
+    # With next to no moment at the clamp a rod is straight but for an offset whose square would underflow.
+    straight = piece.high_kind == "clamp" and abs(piece.clamp_offset) < (2.0**-52) ** 5
+    far, none = slowness(basin.far), Delay((2 * depth if straight else depth, 0, 0, 0, 0))
+    if piece.low_kind == "level":
+        return Delay((depth, 0, 0, far / 2, 0)), none
+    low = Delay((depth, slowness(basin.hill), 0, far if basin.far_rise == 0 else 0, 0))
+    if piece.high_kind != "level":
+        return low, none
+    ridge = slowness(basin.axis)
+    behind = ridge_offset(piece)
+    return low, Delay((depth, 0, ridge, 0, ridge if behind > 0 else ridge / 2 if behind == 0 else 0))
+
+
 def least_arrival(beta, piece, offset, left):
     """A length before which no motion from an offset from the hill, or from a lower one, arrives.
 
@@ -1982,6 +2294,23 @@ def fall_between(piece, one, other):
     return fall(piece.basin.well, -depth, further)
 
 
+def beside_level(piece):
+    """Places, without their sign, from the middle of a range to where its motion turns at the level of the shoulder.
+
+    The length of a motion changes with the logarithm of the level's distance from the shoulder's until there the moment
+    is as good as the shoulder's own.
+    """
+    basin, level = piece.basin, piece.low_offset if piece.low_kind == "shoulder" else piece.width
+    moment = larger(abs(basin.moment), (2.0**-52) ** 2)
+    bend = abs(basin.moment)
+    steep = larger(abs(slope(basin.hill, level)), (2.0**-52) ** 2)
+    flat = larger(log(steep * piece.width * sqrt(bend) / moment) - log(moment) / 2, 0)
+    found = [flat * k / (ceil(flat / 3) + 1) for k in range(1, ceil(flat / 3) + 2)] if flat > 0 else []
+    last = max([*found, flat])
+    # At the last place the level is the shoulder's in all digits, and the next range begins with the same length.
+    return [*found, last + 1.25, last + 2.5, last + 5, last + 10, last - log(2.0**-52), last - 3 * log(2.0**-52)]
+
+
 def grid(beta, length, piece):
     """Places to begin with: near enough where the branches bend, and to where none of them is as short as the rod."""
     rounding = -log(2.0**-52)
@@ -1990,7 +2319,7 @@ def grid(beta, length, piece):
     first = min(first, -rounding) if piece.low_kind == "level" else first
     if piece.high_kind == "level":
         last = 2 * slow + rounding
-    elif piece.high_kind == "turn":
+    elif piece.high_kind != "clamp":
         last = 2 * rounding
     elif piece.high_depth == 0:
         last = rounding
@@ -2000,7 +2329,10 @@ def grid(beta, length, piece):
         last = max(rounding, 4 + log(2 * piece.width) - log(moment) - 2 * log(length))
         last = min(last, 2 * deepest(piece.width))
     inner = [0.0]
-    for side, end in ((-1, -first), (1, last)):
+    for side, end, kind in ((-1, -first, piece.low_kind), (1, last, piece.high_kind)):
+        if kind == "shoulder":
+            inner += [side * place for place in beside_level(piece)]
+            continue
         inner += [side * place for place in (1.25, 2.5, 5.0, 10.0) if place < end]
         inner.append(side * end)
     return sorted(inner)
@@ -2009,7 +2341,8 @@ def grid(beta, length, piece):
 def places(beta, length, piece):
     """Places to begin with, closer around the level at which the motion meets a ridge that is not quite there."""
     found, basin = grid(beta, length, piece), piece.basin
-    if basin.even or basin.passes or piece.low_kind == "level" or not basin.whole:
+    divided = "shoulder" in (piece.low_kind, piece.high_kind)
+    if basin.even or basin.passes or piece.low_kind == "level" or not basin.whole or divided:
         return found
     cusp = pi
     # How far η is below the value at which the ridge would appear.
@@ -2117,7 +2450,7 @@ def refined(sample, samples, length):
     done, todo = [samples[0]], samples[:0:-1]
     while todo:
         before, after = done[-1], todo[-1]
-        apart = after.place - before.place > 1.3
+        apart = after.place - before.place > NEAREST
         beside = [(done[-2], before, after)] if len(done) > 1 else []
         beside += [(before, after, todo[-2])] if len(todo) > 1 else []
         if apart and any(bends(one, two, three, length) for one, two, three in beside):
@@ -2252,11 +2585,6 @@ def brackets(sample, samples, counts, length, sign):
     return found
 
 
-def excess(item, turns, sign, length):
-    """The length of a branch less the rod's."""
-    return (2 * turns * item.swing if turns else 0) + sign * item.arrival - length
-
-
 def with_node(nodes, parts, place, value):
     """The places of a polynomial and its divided differences, with one more place in front, and no more than five."""
     found = [value]
@@ -2313,17 +2641,6 @@ def bracketed_root(function, places, values, blur):
         else:
             b, value_b = trial, value
         halve = little and 2 * abs(b - a) > width
-
-
-class Crossing(Record):
-    """A tip whose rod has the right length, on branch 2·turns·H + sign·t; ``rising``: the branch grows with the tip."""
-
-    __slots__ = ()
-
-    sample: Sample
-    turns: int
-    sign: int
-    rising: bool
 
 
 def crossing(sample, turns, sign, length, known):
@@ -2384,26 +2701,31 @@ def rj_pair(x, product, root_sum, p, lift, less, twist):
     positive terms only in x, y, z. Where √p and −√y are near each other, their sum follows from their difference.
     """
     pair = root_sum * root_sum - 2 * product
-    mean = start = (x + pair + 2 * p) / 5
+    fivefold = x + pair + (p + p)
+    start = fivefold / 5
     one, two = start - x, 2 * start - pair
     both = start * start - start * pair + product * product
-    reach = abs(one) + abs(start - p) + sqrt(abs(both))
+    reach = 5 * (abs(one) + abs(start - p) + sqrt(abs(both)))
     target = (2.0**-52 / 4) ** 0.125
     scale, total = 1, 0
-    while reach > target * scale * abs(mean):
+    while reach > target * scale * abs(fivefold):
         root, root_p = sqrt(x), complex_sqrt(p)
         side, across = root_p * root_sum, root * root_sum
-        plus, minus = lift + side, lift - side
-        cancels = (abs(plus) < abs(minus)) & (scale == 1)
-        d = (root_p + root) * (twist / (less * (minus if cancels else 1)) if cancels else plus)
+        plus = lift + side
+        if scale == 1:
+            minus = lift - side
+            cancels = abs(plus) < abs(minus)
+            plus = twist / (less * (minus if cancels else 1)) if cancels else plus
+        d = (root_p + root) * plus
         raised, lifted = lift + across, sqrt(x + product + across)
-        end = 2 * root_p * raised / d
+        end = (root_p + root_p) * raised / d
         total = total + arctan_share(twist / (scale * scale * scale * d * d), end) / (scale * d)
         pair = root_sum * (root_sum + 2 * root) / 4
-        x, p = (x + product + across) / 4, raised / 4
+        x, p = (x + product + across) / 4, raised * 0.25  # a quotient of complex numbers takes longer
         product, root_sum = root_sum * lifted / 4, sqrt(root_sum * (root_sum + 2 * root + 2 * lifted)) / 2
-        lift, mean = p + product, (x + pair + 2 * p) / 5
+        lift, fivefold = p + product, x + pair + (p + p)
         scale *= 4
+    mean = fivefold / 5
     size = scale * mean
     a, b, c = one / size, two / size, both / (size * size)
     d = -(a + b) / 2
@@ -2427,30 +2749,41 @@ def shift(heading, motion, point, root, square, rest):
     return w_real(b, third.imag), w_imag(b, third.real)
 
 
-def kink_at(first, second, point, root, q, m, square, rest):
+def kink_at(motion, first, second, point, root, q, m, square, rest):
     """The part of η∫cos²(θ − α) without integral; towards the tip its terms are large and cancel in the first form."""
     b, x, product = point.strength, point.pole, point.product
     delta = larger(phase_rate(first, second, square, rest), second * sqrt(square))
-    across, near_root = sqrt(square * rest), sqrt(point.one)
-    others = others_sum(q, root)
-    gap = pole_gap(x, abs(x), others, others_product(b, m, root, others), product)
-    far = arc_kink(square, delta, across, b, x, near_root, product)
-    return arc_kink_tip(first, second, delta, across, b, x, near_root, gap) if x > 0.25 else far
+    across, others = sqrt(square * rest), others_sum(q, root)
+    both = others_product(b, m, root, others)
+    lift = pair_lift(sqrt(motion.near), sqrt(motion.far), motion.uneven, motion.half_cosine, square, rest)
+    far = arc_kink(first, square, delta, across, b, x, root, sqrt(point.one), product)
+    # Beyond the middle the lift may be as good as nothing to divide by, and the square of the pole, too.
+    towards_tip = lift > 0.15
+    lift, there = lift if towards_tip else 1, x if towards_tip else 1
+    return arc_kink_tip(first, delta, across, b, there, root, others, both, lift) if towards_tip else far
 
 
 def second_kind(a, b, square, rest, arrival):
-    """(b² − a²)∫sin²ψ over the same range as ``arrival``, the length, by the same transformation (DLMF 19.8.19)."""
-    limit, more, weight, growth = (2.0**-52) ** 0.5, a > 0, 1, 0
-    gap = a - b
+    """∫sin²ψ over the same range as ``arrival``, the length, and by how much that exceeds sin ψ cos ψ/Δ.
+
+    By the same transformation (DLMF 19.8.19). Both are small as the cube of a short length, without a difference.
+    """
+    limit, more, gap = (2.0**-52) ** 0.5, a > 0, a - b
+    delta, weight, weights, integral, excess = phase_rate(a, b, square, rest), 0.5, 0.0, 0, 0
     while more:
         more = abs(gap) > limit * a
-        delta = phase_rate(a, b, square, rest)
         total, below = a + b, a + delta
-        growth = growth - weight * second_kind_step(total, gap, below, square, rest, arrival)
         square, rest = gauss_square(square, total, below), gauss_rest(a, b, square, rest, delta, below)
-        a, b, weight = total / 2, sqrt(a * b), 2 * weight
+        share, first, second = gap / total, 2 * a / total, 2 * b / total
+        a, b = total / 2, sqrt(a * b)
+        delta = phase_rate(a, b, square, rest)
+        bend = phase_bend(share, first, square, rest, sqrt(square * rest), delta)
+        step = lag_step(bend, share, second, square, rest)
+        integral = integral + weight * first * bend + weights * step
+        weights, weight, excess = weights + weight, weight * share / 2, excess + step
         gap = gauss_gap(gap, a + b)  # a difference would lose what the weight brings out
-    return growth
+    last = arc_excess((a + b) * arrival) / (a + b)
+    return integral + (weights + weight) * last, excess + last
 
 
 def arc_to(beta, heading, motion, point, square, rest, extent):
@@ -2461,9 +2794,9 @@ def arc_to(beta, heading, motion, point, square, rest, extent):
     first, second = motion.end / 2, motion.middle / 2
     q = rest_stiffness(beta, heading.cosine)
     m = tip_cubic(beta, heading.sine)
-    kink = kink_at(first, second, point, root, q, m, square, rest)
-    growth = second_kind(first, second, square, rest, extent)
-    return Arc((y, z, arc_square(beta, first, root, extent, y, kink, growth)))
+    kink = kink_at(motion, first, second, point, root, q, m, square, rest)
+    turned, lag = second_kind(first, second, square, rest, extent)
+    return Arc((y, z, arc_square(beta, first, second, root, y, kink, turned, lag)))
 
 
 class Point(Record):
@@ -2494,6 +2827,8 @@ def with_stays(heading, arc, basin, middle, far):
 
     Those along the tip's direction change nothing.
     """
+    if middle == 0 and far == 0:
+        return arc
     y, z, square = arc
     for angle, extent in ((basin.axis.angle, middle), (basin.far.angle, far)):
         y, z = y + extent * (cos(angle) - heading.cosine), z + extent * (sin(angle) - heading.sine)
@@ -2563,9 +2898,8 @@ def bent_rod(rod, turns, piece, crossing, index):
         part = last_stretch(rod, heading, motion, swing - arrival)
         part = with_stays(heading, part, basin, stay.middle - stay.arrival, stay.far)
     through = both if sign > 0 else both - 1
-    arc = Arc(float(through * a + b) for a, b in zip(whole, part, strict=True))
-    speed = phase.delta * phase.whole / (motion.end * motion.sine)
-    speed = speed * sqrt(2 * motion.done_sine * motion.left_sine)
+    arc = part if through == 0 else Arc(float(through * a + b) for a, b in zip(whole, part, strict=True))
+    speed = speed_at(motion, phase)
     gamma = 2 * beta * heading.cosine
     energy = -gamma * length / 2 - 2 * beta * arc.y - arc.square
     scale = rod.scale
@@ -2603,19 +2937,26 @@ def bent_rod(rod, turns, piece, crossing, index):
     )
 
 
-def below(rod, scene, clamp, most):
-    """The equilibria with tips below the clamp angle, from the lowest up; tips may be nearer than rounding."""
-    beta = rod.beta
-    found = []
-    for piece in pieces(beta, scene, clamp):
-        if not piece.width > 0:  # the clamp angle is at the level of the ridge, to rounding
-            continue
-        here = crossings(beta, rod.length, piece, most)
-        for crossing in sorted(here, key=lambda item: item.sample.place):
-            index = index_of(crossing)
-            if index <= most:
-                found.append(bent_rod(rod, clamp.turns, piece, crossing, index))
-    return found
+def below(rod, scene, clamp, most, shots):
+    """The equilibria with tips below the clamp angle, from the lowest up; tips may be nearer than rounding.
+
+    shots: all tips, roughly, or None.
+    """
+    tips = None if shots is None else [shot for shot in shots if shot.offset < 0]
+    if tips == []:
+        return []
+    beta, length = rod.beta, rod.length
+    found = None
+    if tips is not None:
+        found = hits(beta, length, pieces(beta, scene, clamp), tips)
+    if found is None:
+        found = []
+        for piece in pieces(beta, scene, clamp):
+            if piece.width > 0:  # else the clamp angle is at the level of the ridge, to rounding
+                here = crossings(beta, length, piece, most)
+                found += [(piece, crossing) for crossing in sorted(here, key=lambda item: item.sample.place)]
+    indexed = [(piece, crossing, index_of(crossing)) for piece, crossing in found]
+    return [bent_rod(rod, clamp.turns, *item) for item in indexed if item[2] <= most]
 
 
 def in_order(found):
@@ -2678,8 +3019,10 @@ def all_equilibria(beta, length, clamp_angle, max_index):
     mirrored = Rod((rod.beta, rod.length, -clamp_angle, -1, scale))
     scene, other = landscapes(rod.beta)
     clamp = clamp_in(scene.rests, rod.clamp_angle)
-    above = below(mirrored, other, clamp_in(other.rests, mirrored.clamp_angle), most)
-    return in_order([*below(rod, scene, clamp, most), *straight(rod, scene, clamp, most), *above[::-1]])
+    shots = tip_shots(rod.beta, rod.length, rod.clamp_angle)
+    mirrored_shots = None if shots is None else mirror_shots(shots)
+    above = below(mirrored, other, clamp_in(other.rests, mirrored.clamp_angle), most, mirrored_shots)
+    return in_order([*below(rod, scene, clamp, most, shots), *straight(rod, scene, clamp, most), *above[::-1]])
 
 
 def integer(name: str, value: Any) -> int:
@@ -2735,8 +3078,10 @@ def station_of(rod, swing, s):
     towards_tip = swing.whole % 2 == 0
     ahead = swing.arrival if towards_tip else swing.length - swing.arrival
     if 2 * s >= rod.length:
-        whole = floor((rod.length - s) / swing.length)
-        return station_at(swing, whole, whole % 2 == 0, rod.length - s - whole * swing.length, s, 0)
+        # The motion takes a rounding more or less than the rod is long.
+        left = rod.length - s if swing.whole else (rod.length - s) * (swing.arrival / rod.length)
+        whole = floor(left / swing.length)
+        return station_at(swing, whole, whole % 2 == 0, left - whole * swing.length, s, 0)
     if s <= ahead:
         return station_at(swing, swing.whole, towards_tip, ahead - s, s, -1 if towards_tip else 1)
     turned = floor((s - ahead) / swing.length)
@@ -2866,62 +3211,72 @@ def phase_from_far(motion, square, rest):
 
 
 def regular_part(rod, swing, station, here, left, position):
-    """θ, dθ/dσ and the arc by the motion alone, at its lengths from the tip and from the far turning point."""
+    """θ in two parts, dθ/dσ and the arc, at lengths of the motion alone from the tip and the far turning point."""
     motion, back, arc = swing.stay.motion, station.whole % 2 == 1, Arc((0, 0, 0))
     if here <= 2.0 ** (-52) * left:  # where the square of the phase may underflow
         if back and position:
             _, arc = way_back(rod, swing.heading, motion, (1, 0), left, position)
-        return plus_quarters(motion.tip, 4 * swing.turns), 0 * here, arc
+        return *apart_by_quarters(motion.tip, 4 * swing.turns), 0 * here, arc
     a, b = motion.end / 2, motion.middle / 2
     if next_to_clamp(swing, station, here, left):
         square, rest = phase_beside(a, b, swing.square, swing.rest, station, here + left)
     else:
         square, rest = phase_at(a, b, here, left)
     point, half, low = point_at(motion, square, rest)
-    theta, speed = motion.tip + 2 * half, point_speed(point.strength, low, point.one, point.product)
-    theta = plus_quarters(theta, 4 * swing.turns)
+    speed = point_speed(point.strength, low, point.one, point.product)
+    # The clamp angle is exact: what is measured from there is told from there.
+    anchor, turned = rod.clamp_angle, 2 * half - motion.done
+    if station.away == 0:
+        anchor, turned = apart_by_quarters(motion.tip + 2 * half, 4 * swing.turns)
     if back or left < here:
         # So near the far turning point that cos²ψ underflows the lengths tell more.
         phase = phase_from_far(motion, square, rest) if rest > (2.0**-52) ** 12 else phase_at(a, b, left, here)
         behind, arc = way_back(rod, swing.heading, motion, phase, left, position and back)
-        # The clamp angle is exact, and the turning point is told from there.
-        theta = rod.clamp_angle + (motion.left - 2 * behind) if left < here else theta
+        if left < here:
+            anchor, turned = rod.clamp_angle, motion.left - 2 * behind
     if position and not back:
         arc = arc_to(rod.beta, swing.heading, motion, point, square, rest, here)
-    return theta, speed, arc
+    return anchor, turned, speed, arc
 
 
 def on_swing(rod, swing, station, position):
-    """θ, dθ/dσ and the arc from the last turning point, or from the tip, at a point of the first half-swing."""
+    """θ in two parts, dθ/dσ and the arc from the last turning point, or from the tip, at a point of a half-swing."""
     stay = swing.stay
     regular = swing.length - stay.tip - stay.middle - stay.far
     _, here, middle, far = parts(station.from_tip, stay.tip, regular, stay.middle)
     first, left, behind, _ = parts(station.from_far, stay.far, regular, stay.middle)
     if station.whole % 2 == 1:
         middle, far = behind, first
-    theta, speed, arc = regular_part(rod, swing, station, here, left, position)
+    anchor, turned, speed, arc = regular_part(rod, swing, station, here, left, position)
     for straight, extent in ((swing.middle_angle, middle), (swing.far_angle, far)):
         if extent > 0:
             turned_y, turned_z = cos(straight) - swing.heading.cosine, sin(straight) - swing.heading.sine
             arc = Arc((arc.y + extent * turned_y, arc.z + extent * turned_z, arc.square))
-    return theta, speed, arc
+    return anchor, turned, speed, arc
+
+
+def along_bent(equilibrium, s, position):
+    """θ in two parts, of which only the sum is rounded at the size of θ, and θ′, y and z, of a rod that is bent."""
+    rod, swing = equilibrium.rod, equilibrium.swing
+    station = station_of(rod, swing, ldexp(s, rod.scale))
+    sign = -1 if station.whole % 2 == 1 else 1
+    anchor, turned, speed, arc = on_swing(rod, swing, station, position)
+    # Along the tip's direction the rod is as long as it is; only what it departs by from that has been computed.
+    y = s * swing.heading.cosine + ldexp(swing.total.y - station.whole * swing.arc.y - arc.y, -rod.scale)
+    z = s * swing.heading.sine + ldexp(swing.total.z - station.whole * swing.arc.z - arc.z, -rod.scale)
+    return rod.side * anchor, rod.side * turned, -rod.side * sign * ldexp(speed, rod.scale), y, rod.side * z
 
 
 def angle_and_position(equilibrium, s, position=True):
     """θ, θ′, y and z at an arc length s from the clamp; y and z are worth nothing without ``position``."""
-    rod, swing = equilibrium.rod, equilibrium.swing
-    if swing is None:
-        length = ldexp(rod.length, -rod.scale)
-        share, left, bend = s / length, length - s, equilibrium.clamp_curvature
-        angle = equilibrium.tip_angle - bend * left * (left / length) / 2
-        return angle, bend * (left / length), equilibrium.y * share, equilibrium.z * share
-    station = station_of(rod, swing, ldexp(s, rod.scale))
-    sign = -1 if station.whole % 2 == 1 else 1
-    theta, speed, arc = on_swing(rod, swing, station, position)
-    # Along the tip's direction the rod is as long as it is; only what it departs by from that has been computed.
-    y = s * swing.heading.cosine + ldexp(swing.total.y - station.whole * swing.arc.y - arc.y, -rod.scale)
-    z = s * swing.heading.sine + ldexp(swing.total.z - station.whole * swing.arc.z - arc.z, -rod.scale)
-    return rod.side * theta, -rod.side * sign * ldexp(speed, rod.scale), y, rod.side * z
+    if equilibrium.swing is not None:
+        anchor, turned, curvature, y, z = along_bent(equilibrium, s, position)
+        return anchor + turned, curvature, y, z
+    rod = equilibrium.rod
+    length = ldexp(rod.length, -rod.scale)
+    share, left, bend = s / length, length - s, equilibrium.clamp_curvature
+    angle = equilibrium.tip_angle - bend * left * (left / length) / 2
+    return angle, bend * (left / length), equilibrium.y * share, equilibrium.z * share
 
 
 def period_of(equilibrium):
@@ -2934,8 +3289,20 @@ def period_of(equilibrium):
     return 2 * length, 2 * ldexp(1.0, -rod.scale) * complex(y, rod.side * z)
 
 
+def middle_of(equilibrium):
+    """A whole number about which the angles lie, or 0 where none is large.
+
+    Large ones are measured from there, and it is added last: so their sums are rounded only once at their size.
+    """
+    rod, swing = equilibrium.rod, equilibrium.swing
+    motion, turned = swing.stay.motion, 2 * pi * swing.turns
+    low = motion.tip + turned
+    high = low + 2 * motion.half_width
+    return rod.side * float(floor((low + high) / 2 + 0.5)) if max(abs(low), abs(high)) > LARGE else 0.0
+
+
 class State(Record):
-    """What the series of a bin starts from: angle, its slope by the length, and y + iz."""
+    """What the series of a bin starts from: angle less ``middle_of`` the rod, its slope by the length, and y + iz."""
 
     __slots__ = ()
 
@@ -2949,7 +3316,8 @@ def state_of(equilibrium, length, position):
     rod = equilibrium.rod
     beyond = length > rod.length
     within = 2 * rod.length - length if beyond else length
-    angle, slope, y, z = angle_and_position(equilibrium, ldexp(within, -rod.scale), position)
+    anchor, turned, slope, y, z = along_bent(equilibrium, ldexp(within, -rod.scale), position)
+    angle = (anchor - middle_of(equilibrium)) + turned
     slope, place = ldexp(slope, -rod.scale), complex(y, z)
     if beyond:
         slope, place = -slope, 2 * complex(equilibrium.y, equilibrium.z) - place
@@ -3000,14 +3368,14 @@ def states(equilibrium, width, count, position):
     return State((angle, slope, place)), straight
 
 
-def series(rod, state, degree):
+def series(rod, middle, state, degree):
     """The coefficients of θ and of y + iz about states: θ″ = β sin θ + (η/2) sin 2(θ − α), and y′ + iz′ = e^{iθ}."""
     shape = (degree + 1, len(state.angle))
     angle, turned = np.zeros(shape), np.zeros(shape)
     once, twice, place = (np.zeros(shape, dtype=complex) for _ in range(3))
     angle[0], angle[1], turned[1] = state.angle, state.slope, state.slope
-    once[0] = np.exp(1j * state.angle)
-    twice[0] = np.exp(2j * state.angle)
+    once[0] = np.exp(1j * state.angle) * np.exp(1j * middle)
+    twice[0] = np.exp(2j * state.angle) * np.exp(2j * middle)
     place[0] = state.place
     for n in range(degree):
         if n:
@@ -3026,13 +3394,13 @@ def negligible():
     return 2.0**-56
 
 
-def complete_series(rod, state, half):
+def complete_series(rod, middle, state, half):
     """Series of which the last two terms are negligible up to half a bin from its middle; None if they are too long.
 
     What is left out decreases faster than by halves, so it is no more than these.
     """
     for degree in range(2 - int(56 / log2(half)), LONGEST + 1, 6):
-        angle, place = series(rod, state, degree)
+        angle, place = series(rod, middle, state, degree)
         last = abs(np.concatenate((degree * angle[-2:], ldexp(1.0, rod.scale) * place[-2:]), axis=1)).max(axis=1)
         if max(last[0] * half ** (degree - 1), last[1] * half**degree / min(1.0, rod.length)) <= negligible():
             return angle, place
@@ -3042,7 +3410,8 @@ def complete_series(rod, state, half):
 class Bins(Record):
     """Series of equal bins of which the first begins at the clamp.
 
-    angle, place: coefficients, by power and bin. straight: the bins in which θ is constant to rounding.
+    angle, place: coefficients, by power and bin, of the angle less ``middle_of`` the rod and of y + iz. straight: the
+    bins in which θ is constant to rounding.
     """
 
     __slots__ = ()
@@ -3059,11 +3428,11 @@ def bins_of(equilibrium, position):
     Their places are worth nothing without ``position``.
     """
     reach = period_of(equilibrium)[0] or equilibrium.rod.length
-    width, series = min(0.5, ldexp(1.0, frexp(reach)[1])), None
+    width, series, middle = min(0.5, ldexp(1.0, frexp(reach)[1])), None, middle_of(equilibrium)
     while series is None:
         count = int(reach / width) + 1
         state, straight = states(equilibrium, width, count, position)
-        series = complete_series(equilibrium.rod, state, width / 2)
+        series = complete_series(equilibrium.rod, middle, state, width / 2)
         found = width
         width /= 2
     return Bins((found, straight, *series))
@@ -3200,7 +3569,7 @@ def by_runs(equilibrium, bins, cells, s, position):
     width = bins.width / cells
     rows = series_of(rod, bins, cells, position)
     advance = period_of(equilibrium)[1]
-    advances = (0.0, 0.0, advance.real, advance.imag)
+    advances, last = (0.0, 0.0, advance.real, advance.imag), middle_of(equilibrium)
     results = [np.empty(s.size) for _ in rows]
     spare = np.empty(RUN_BLOCK)
     for run in runs_of(equilibrium, bins, width, s):
@@ -3211,6 +3580,8 @@ def by_runs(equilibrium, bins, cells, s, position):
             within -= run.middle * (2 / width)
             for result, row, step in zip(results, rows, advances, strict=False):
                 sum_run(row[run.cell], run.periods * step, within, result[block])
+            if last:
+                results[0][block] += last
     return results if position else [*results, None, None]
 
 
@@ -3258,6 +3629,7 @@ class Table(Record):
 
     period: of θ in the length, or 0 where the cells cover the rod. advance: y + iz over a period.
     per_bin: first row and number of cells of each bin, where those differ; else None. slope: θ′ per change in a cell.
+    last: what is added to the sums for θ.
     """
 
     __slots__ = ()
@@ -3268,6 +3640,7 @@ class Table(Record):
     period: float
     advance: complex
     slope: float
+    last: float
 
 
 def halves(coefficients):
@@ -3295,6 +3668,7 @@ def table_of(equilibrium, bins, position):
             period,
             advance,
             ldexp(cells / bins.width, rod.scale),
+            middle_of(equilibrium),
         )
     )
 
@@ -3370,6 +3744,8 @@ def fill(rod, table, s, results, spare):
     theta, curvature = results[:2]
     sum_gathered(table.rows[0], ANGLE_DEGREE, row, within, gathered, theta, curvature)
     curvature *= table.slope
+    if table.last:
+        theta += table.last
     for part, rows, advance in zip(results[2:], table.rows[1:], (table.advance.real, table.advance.imag), strict=False):
         sum_gathered(rows, PLACE_DEGREE, row, within, gathered, part, None)
         if table.period:
@@ -3421,6 +3797,8 @@ def refuse(name, numbers, bad, why):
 
 def all_real(name, values):
     """A number or an array of them as finite doubles; TypeError or ValueError names the argument and the place."""
+    if hasattr(values, "mask"):
+        raise TypeError(f"{name} must be a number or an array without a mask, got {in_a_line(values)}")
     kind = getattr(getattr(values, "dtype", None), "kind", "")
     if kind and kind in "fiu":
         numbers = np.asarray(values, dtype=float)
@@ -3503,11 +3881,12 @@ def each_array(record, change, done=None):
     for part in record:
         if isinstance(part, (np.ndarray, tuple)):
             key = id(part)
-            if key not in done:
-                done[key] = change(part) if isinstance(part, np.ndarray) else each_array(part, change, done)
-            part = done[key]
+            changed = done.get(key)
+            if changed is None:
+                done[key] = changed = change(part) if isinstance(part, np.ndarray) else each_array(part, change, done)
+            part = changed
         parts.append(part)
-    return type(record)(parts) if hasattr(record, "_fields") else tuple(parts)
+    return tuple.__new__(type(record), parts)
 
 
 def rows(record, which):
@@ -3565,12 +3944,14 @@ def load_of(rods):
     square = rods.length * rods.length
     twice = np.zeros(rods.case.shape)
     reach = np.minimum(rods.beta * square / 2, 2 * pi) * (1 + 0.001)
-    return Load((rods.beta * square, each_cos(twice), each_sin(twice), rods.clamp_angle, reach))
+    clamp = each_less_quarters(rods.clamp_angle, 4 * np.floor(rods.clamp_angle / (2 * pi) + 0.5))
+    return Load((rods.beta * square, each_cos(twice), each_sin(twice), clamp, reach))
 
 
-def rounded_to(record, kind):
-    """The record with its arrays in another precision; numbers that all rods share take that of what they meet."""
-    return each_array(record, lambda array: array.astype(kind, copy=False))
+def sag_of(rods):
+    """By how much |∂²θ(0)/∂θ(ℓ)²| may bend what is missed over a span of 1, for tips measured in radians."""
+    half = np.sinh(rods.slow / 2)
+    return shot_bend_each(2 * half * half) / 2
 
 
 def wp_of_one(g2, g3):
@@ -3603,60 +3984,104 @@ def miss(load, share):
     return offset + 2 * np.arctan2(p / 4, value - c)
 
 
-def turned_at(shares, values, start):
-    """The extrema among samples that may reach beyond zero between them."""
-    grows = values[1:] > values[:-1]
-    row, which = np.nonzero(grows[1:] != grows[:-1])
-    before, middle, after = (values[row + k, which] for k in range(3))
-    near = np.abs(middle) < np.maximum(np.abs(before - middle), np.abs(after - middle))
-    near &= (np.abs(middle) <= np.abs(before)) & (np.abs(middle) <= np.abs(after))
-    near &= ((middle > 0) == (before > 0)) & ((middle > 0) == (after > 0))
-    row, which = row[near], which[near]
-    return [which + start, shares[row], shares[row + 2], before[near], after[near], np.where(middle[near] > 0, 1, -1)]
+def joined(records):
+    """Records of arrays, one after another; what all rods share is taken from the first."""
+    first = records[0]
+    if len(records) == 1:
+        return first
+    if isinstance(first, np.ndarray):
+        return np.concatenate(records)
+    if isinstance(first, tuple):
+        parts = [joined(list(column)) for column in zip(*records, strict=True)]
+        return type(first)(parts) if hasattr(first, "_fields") else tuple(parts)
+    return first
 
 
-def sampled_shots(load, slow):
-    """Brackets, extrema that may reach beyond zero, and the rods without values.
+def halved(load, spans):
+    """The halves of spans."""
+    width, some = spans.width / 2, rows(load, spans.rod)
+    middle = spans.first + width
+    value = miss(some, middle.astype(some.reach.dtype)).astype(float)
+    first = spans._replace(width=width, after=value)
+    return joined([first, spans._replace(first=middle, width=width, before=value)])
 
-    Brackets have the rod, shares of its reach on either side and what is missed there; extrema have the rod, the
-    shares beside, what is missed there, and on which side of zero they are.
+
+def parted(load, sag, blur, spans, times):
+    """The spans that hold one tip, of these and of those that come of the others by halving, and what is left of them.
+
+    blur: by how much what is missed may be wrong. Over a span it departs from its chord by no more than sag·width²/4.
+    Where it has one sign at both ends, and the sum of their roots is more than the width times √sag, it has no zero
+    between; where the sum of what is missed is more than sag·width², it has one if the signs differ, and else none.
     """
-    rough, none = rounded_to(load, np.float32), np.zeros(0, dtype=int)
-    brackets, turned, lost = [[none, *[np.zeros(0)] * 4]], [[none, *[np.zeros(0)] * 4, none]], [none]
+    found = []
+    for turn in range(times + 1):
+        before, after = (np.maximum(np.abs(end) - blur[spans.rod], 0) for end in (spans.before, spans.after))
+        crossed = (spans.before > 0) != (spans.after > 0)
+        width = spans.width * load.reach[spans.rod]
+        sum_, both = before + after, before * after
+        sure = (sum_ + np.where(crossed, 0, 2 * np.sqrt(both)) > sag[spans.rod] * width * width) & (both > 0)
+        found.append(rows(spans, sure & crossed))
+        spans = rows(spans, ~sure)
+        if turn == times or not spans.rod.size:
+            break
+        spans = halved(load, spans)
+    return joined(found), spans
+
+
+def told_apart(load, sag, blur, rough, spans):
+    """The spans with one tip each, and the rods of which a span as small as any leaves a doubt."""
+    first, spans = parted(rough, sag, blur, spans, ROUGH_HALVINGS)
+    some = rows(load, spans.rod)
+    before, after = miss(some, spans.first), miss(some, spans.first + spans.width)
+    spans = spans._replace(before=before, after=after)
+    second, spans = parted(load, sag, np.full(sag.size, BLUR), spans, SPAN_HALVINGS)
+    return joined([first, second]), spans.rod
+
+
+def rounded_to(record, kind):
+    """The record with its arrays in another precision; numbers that all rods share take that of what they meet."""
+    return each_array(record, lambda array: array.astype(kind, copy=False))
+
+
+class Spans(Record):
+    """Of tips: the rod, the share of its reach at one end, that to the other end, what is missed at both."""
+
+    __slots__ = ()
+
+    rod: Any
+    first: Any
+    width: Any
+    before: Any
+    after: Any
+
+
+def no_spans():
+    """None."""
+    none = np.zeros(0)
+    return Spans((np.zeros(0, dtype=int), none, none, none, none))
+
+
+def sampled_spans(load, sag, blur, slow):
+    """The load in single precision, and the spans between samples over which what is missed changes its sign, or may
+    have zeros without."""
+    rough, parts = rounded_to(load, np.float32), [no_spans()]
+    steps = 2 / EVEN * load.reach * np.cosh(slow)
+    order = np.argsort(steps)
     for start in range(0, slow.size, SHOTS):
-        here = slice(start, start + SHOTS)
-        steps = int(2 * (load.reach[here] * np.cosh(slow[here])).max() / EVEN)
-        shares = np.linspace(-1, 1, 16 + steps)
+        here = order[start : start + SHOTS]
+        number = FEWEST_SPANS + int(steps[here[-1]])
+        shares = np.linspace(-1, 1, number + 1)
         values = miss(rows(rough, here), shares.astype(np.float32)[:, None])
-        lost.append(np.flatnonzero(~np.isfinite(values.sum(axis=0))) + start)
-        row, which = np.nonzero((values[1:] > 0) != (values[:-1] > 0))
-        brackets.append([which + start, shares[row], shares[row + 1], values[row, which], values[row + 1, which]])
-        turned.append(turned_at(shares, values, start))
-    parts = ([np.concatenate(part) for part in zip(*found, strict=True)] for found in (brackets, turned))
-    return *parts, np.concatenate(lost)
-
-
-def beside_extrema(load, turned):
-    """Brackets beside extrema that reach beyond zero, and the rods of which that is not sure."""
-    which, first, last, before, after, side = turned
-    some, left, right = rows(load, which), first, last
-    column, single = np.arange(which.size), True
-    for _ in range(LOOKS):
-        finer = left + (right - left) * np.linspace(0, 1, FINE)[:, None]
-        value = side * miss(some, finer)
-        single = single & (((value[1:] < 0) != (value[:-1] < 0)).sum(axis=0) <= 2)
-        best = np.clip(value.argmin(axis=0), 1, FINE - 2)
-        left, right = finer[best - 1, column], finer[best + 1, column]
-    middle, least = finer[best, column], value[best, column]
-    margin = 1e-9 * some.reach
-    beyond = single & (least < -margin)
-    hard = ~beyond & (2 * least <= np.maximum(value[best - 1, column], value[best + 1, column]) + margin)
-    one = which, first, middle, before, side * least
-    other = which, middle, last, side * least, after
-    return (
-        [np.concatenate(pair)[np.concatenate([beyond, beyond])] for pair in zip(one, other, strict=True)],
-        which[hard],
-    )
+        above, size = values > 0, np.abs(values)
+        size[size <= blur[here].astype(np.float32)] = -np.inf
+        step = 2 / number * load.reach[here]
+        needed = (sag[here] * step * step + 2 * blur[here]).astype(np.float32)
+        # What is not a number is not sure either.
+        held = (above[1:] != above[:-1]) | ~(size[1:] + size[:-1] > needed)
+        row, which = divmod(np.flatnonzero(held), held.shape[1])
+        before, after = (values[row + k, which].astype(float) for k in (0, 1))
+        parts.append(Spans((here[which], shares[row], np.full(row.size, 2 / number), before, after)))
+    return rough, joined(parts)
 
 
 def inverse_quadratic(a, b, c, value_a, value_b, value_c):
@@ -3669,12 +4094,9 @@ def inverse_quadratic(a, b, c, value_a, value_b, value_c):
     return np.where(safe, share, a.dtype.type(0.5)), safe
 
 
-def approached(function, left, right, value_left, value_right, steps, spread):
-    """Approximate zeros by Chandrupatla's method (1997): places, and the slopes there.
-
-    spread: the distance of two places from which they tell a slope.
-    """
-    a, b, value_a, value_b = left, right, value_left, value_right
+def nearer(function, some, steps, spread):
+    """``approached`` after some steps, of a record and ends: places, slopes, the last move, and the new ends."""
+    given, a, b, value_a, value_b = some
     slope = (value_a - value_b) / (a - b)
     fraction = np.full(a.shape, 0.5, dtype=a.dtype)
     secant = value_a / (value_a - value_b)
@@ -3682,7 +4104,7 @@ def approached(function, left, right, value_left, value_right, steps, spread):
     fraction[inside] = secant[inside]
     for _ in range(steps):
         trial = a + fraction * (b - a)
-        value = function(trial)
+        value = function(given, trial)
         same = (value > 0) == (value_a > 0)
         c, value_c = np.where(same, a, b), np.where(same, value_a, value_b)
         b, value_b = np.where(same, b, a), np.where(same, value_b, value_a)
@@ -3695,7 +4117,27 @@ def approached(function, left, right, value_left, value_right, steps, spread):
         fraction, safe = inverse_quadratic(a, b, c, value_a, value_b, value_c)
     # No half way at last: the latest place may be the zero itself.
     step = np.minimum(np.maximum(value_a / (slope * (a - b)), 0), 1)
-    return a + np.where(safe, fraction, np.where(value_a == 0, 0, step)) * (b - a), slope
+    move = np.where(safe, fraction, np.where(value_a == 0, 0, step)) * (b - a)
+    return a + move, slope, move, (a, b, value_a, value_b)
+
+
+def approached(function, given, left, right, value_left, value_right, steps, spread, again=0):
+    """Approximate zeros by Chandrupatla's method (1997): places, and the slopes there.
+
+    function(given, places): the values, of the rows of a record. spread: the distance of two places from which they
+    tell a slope. again: how often those that still move go through as many steps alone.
+    """
+    parts = []
+    for start in range(0, max(left.size, 1), AT_ONCE):
+        some = rows((given, left, right, value_left, value_right), slice(start, start + AT_ONCE))
+        parts.append(nearer(function, some, steps, spread))
+    place, slope, move, (left, right, value_left, value_right) = joined(parts)
+    far = np.flatnonzero(np.abs(move) > MOVING) if again else np.zeros(0, dtype=int)
+    if far.size:
+        given, left, right, value_left, value_right = rows((given, left, right, value_left, value_right), far)
+        again -= 1
+        place[far], slope[far] = approached(function, given, left, right, value_left, value_right, steps, spread, again)
+    return place, slope
 
 
 class Shots(Record):
@@ -3713,18 +4155,20 @@ class Shots(Record):
 
 
 def shots_of(rods, size):
-    """All tips of short rods, and the numbers of the rods of which they are not sure."""
-    load = load_of(rods)
-    crossed, turned, unsure = sampled_shots(load, rods.slow)
-    beside, hard = beside_extrema(load, turned)
-    which, left, right, before, after = (np.concatenate(pair) for pair in zip(crossed, beside, strict=True))
+    """All tips of short rods, and the numbers of the rods of which they are not sure: these have none."""
+    load, sag, blur = load_of(rods), sag_of(rods), ROUGH_BLUR * np.where(rods.slow < ROUGH_SHOT, 1.0, WIDER)
+    spans, unsure = told_apart(load, sag, blur, *sampled_spans(load, sag, blur, rods.slow))
+    if unsure.size:
+        spans = rows(spans, ~np.isin(spans.rod, unsure))
+    which, left, right = spans.rod, spans.first, spans.first + spans.width
     some = rows(load, which)
-    share, slope = approached(lambda trial: miss(some, trial), left, right, before, after, AIMS, AIM_SPREAD)
+    ends = left, right, spans.before, spans.after
+    share, slope = approached(miss, some, *ends, AIMS, AIM_SPREAD, AGAIN)
     key = 2 * rods.case[which] + (share > 0)
     order = np.argsort(key, kind="stable")
     number = np.bincount(key, minlength=2 * size)
     offset, slope = (share * some.reach)[order], (slope / some.reach)[order]
-    return Shots((number.cumsum() - number, number, offset, slope)), np.unique(np.concatenate([unsure, hard]))
+    return Shots((number.cumsum() - number, number, offset, slope)), np.unique(unsure)
 
 
 def both_sides_each(rods):
@@ -3746,9 +4190,15 @@ def with_shots(rods, size):
     return rows(both, ~both.shot | (shots.number[2 * both.case + (both.side < 0)] > 0)), shots
 
 
+def numbered(rods, mask):
+    """The numbers of some of the rods, and those, by a mask or by one truth value for all of them."""
+    which = np.flatnonzero(np.full(rods.case.shape, mask))
+    return which, rows(rods, which)
+
+
 def chosen(rods, mask):
     """Some of the rods, by a mask, or by one truth value for all of them."""
-    return rows(rods, np.flatnonzero(np.full(rods.case.shape, mask)))
+    return numbered(rods, mask)[1]
 
 
 def along_each(beta, quarters, sign):
@@ -3782,7 +4232,7 @@ def clamp_in_each(rests, angle):
     for _ in range(3):
         offsets = tuple(offset_from_each(rest, angle, turns) for rest in rests)
         shift = each_pick(offsets[0] < 0, -1, each_pick(offsets[-1] >= 0, 1, 0))
-        if not np.any(shift != 0):
+        if not each_any_of(shift != 0):
             break
         turns = turns + shift
     return Clamp((turns, offsets))
@@ -3864,7 +4314,7 @@ def reach_each(rest, amount, most, side):
         # The method cubes the error, and Newton's squares it: after steps this small the next would change nothing.
         small = each_pick(safe, each_spacing(trial) ** 0.45, each_spacing(trial) ** 0.6)
         moving, near = np.abs(trial - near) > small * near, trial
-        if not np.any(moving):
+        if not each_any_of(moving):
             break
     return near
 
@@ -3904,7 +4354,7 @@ def piece_of_each(basin, low_kind, high_kind, low_offset, width, high_depth, cla
     rest, offset = rests[0], at[0]
     for other, distance in zip(rests[1:], at[1:], strict=False):
         closer = np.abs(distance) < np.abs(offset)
-        if np.any(closer):
+        if each_any_of(closer):
             rest, offset = pick_rest_each(closer, other, rest), each_pick(closer, distance, offset)
     beyond, last = at[len(rests) - 2 : len(rests)]
     ends = low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap
@@ -3922,7 +4372,7 @@ def basin_of_each(ground, first):
     hill, well, far = scene.rests[first : first + 3]
     whole = len(scene.rests) == 3
     even = scene.even and (scene.level or whole)
-    rise, beside = ground.drop if first else 0, (scene.shoulder, scene.moment)
+    rise, beside = ground.drop if first else 0, (scene.shoulder, scene.moment, 0.0)
     return Basin((hill, well, far, well, well, rise, False, even, whole, *beside))
 
 
@@ -3963,7 +4413,7 @@ def last_turn_each(ground):
 def over_ridge_each(ground):
     """What stops a motion that passes the ridge."""
     hill, well, ridge, second, far = ground.scene.rests
-    return Basin((hill, well, far, second, ridge, 0, True, ground.scene.even, True, None, 0.0))
+    return Basin((hill, well, far, second, ridge, 0, True, ground.scene.even, True, None, 0.0, 0.0))
 
 
 def pass_clamp_each(ground):
@@ -4005,7 +4455,7 @@ def onward_each(rest, start, amount, rough, wanted, moment=0):
         away = np.abs(distance - step) > pi
         stuck = away & (distance == rough)
         distance = each_pick(away, rough, distance - step)
-        if not np.any(wanted & (stuck == 0) & (np.abs(step) > each_spacing(distance) ** 0.6 * np.abs(distance))):
+        if not each_any_of(wanted & (stuck == 0) & (np.abs(step) > each_spacing(distance) ** 0.6 * np.abs(distance))):
             break
     return distance
 
@@ -4047,8 +4497,12 @@ def level_turn_each(ground):
     # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
     from_hill = reach_each(basin.hill, ground.drop + below, down, 1)
     near = onward_each(basin.hill, level, below, from_hill - level, True)
-    width = each_pick(below < above / 4, near, down - level - from_well)
-    return piece_of_each(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
+    by_level = below < above / 4
+    width, depth = (
+        each_pick(by_level, near, ground.depth - from_well),
+        each_pick(by_level, ground.depth - near, from_well),
+    )
+    return piece_of_each(basin, "level", "turn", level, width, depth, depth + at[1], 0, at)
 
 
 def ranges_each(ground):
@@ -4218,6 +4672,15 @@ def parallel_side_each(beta, piece, rise, drop, from_hill, depth):
     return (up + depth) / 2, left, 0.0, distance
 
 
+def tip_fall_each(piece, change, rise, drop):
+    """V(tip) − V(tip + change), for a tip that is told from the low and the high end of its range."""
+    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
+    upper = from_hill < depth
+    return fall_each(
+        pick_rest_each(upper, piece.basin.hill, piece.basin.well), each_pick(upper, from_hill, -depth), change
+    )
+
+
 def reach_either_each(hill, well, by_hill, amount, most):
     """``reach`` down from the hill, or up from the well, whichever is asked for."""
     rest = hill._replace(
@@ -4228,9 +4691,11 @@ def reach_either_each(hill, well, by_hill, amount, most):
     return reach_each(rest, amount, most, each_pick(by_hill, -1, 1))
 
 
-def wrapped_each(angle):
-    """The angle less whole turns, between −π and π."""
-    return angle - 2 * pi * np.floor(angle / (2 * pi) + 0.5)
+def further_each(rest, start, amount, rough, far, moment=0):
+    """How far beyond ``start`` V has risen by ``amount``: ``onward`` where the rough value is not told well enough."""
+    better = onward_each(rest, start, -amount, rough, far == 0, moment)
+    # Newton's method leaves a place where V is nearly level for one far away.
+    return each_pick(far | (np.abs(better - rough) > 0.01), rough, better)
 
 
 def beyond_clamp_each(piece, rise, drop, rough):
@@ -4239,28 +4704,9 @@ def beyond_clamp_each(piece, rise, drop, rough):
     V falls by the same amount on both sides. The rough value is as good as its difference to the clamp's distance
     from a hill or a well allows.
     """
-    basin, rest, start, moment = piece.basin, piece.clamp_rest, piece.clamp_offset, 0
-    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
-    upper = from_hill < depth
-    amount = fall_each(pick_rest_each(upper, basin.hill, basin.well), each_pick(upper, from_hill, -depth), drop)
-    far = rough > 0.25 * np.abs(start)
-    if basin.shoulder is not None:
-        apart = wrapped_each(rest.angle + start - basin.shoulder.angle)
-        near = 2 * np.abs(apart) < np.abs(start)
-        rest, start = pick_rest_each(near, basin.shoulder, rest), each_pick(near, apart, start)
-        moment, far = each_pick(near, basin.moment, 0), each_pick(near, rough > 0.25, far)
-    better = onward_each(rest, start, -amount, rough, far == 0, moment)
-    # Newton's method leaves a place where V is nearly level for one far away.
-    return each_pick(far | (np.abs(better - rough) > 0.01), rough, better)
-
-
-def beside_shoulder_each(basin, angle, offset, moment):
-    """θ″ at an angle, by the shoulder of V if that is nearer than the direction by whose offset it was told."""
-    if basin.shoulder is None:
-        return moment
-    apart = wrapped_each(angle - basin.shoulder.angle)
-    told = basin.moment * each_cos(apart) + slope_each(basin.shoulder, apart)
-    return each_pick(2 * np.abs(apart) < np.abs(offset), told, moment)
+    far = rough > 0.25 * np.abs(piece.clamp_offset)
+    amount = tip_fall_each(piece, drop, rise, drop)
+    return further_each(piece.clamp_rest, piece.clamp_offset, amount, rough, far)
 
 
 def least_moment_each(basin):
@@ -4269,15 +4715,16 @@ def least_moment_each(basin):
     return (2.0**-52) ** 2 if basin.passes or not basin.whole else 4 * 2.0**-52
 
 
-def far_side_each(piece, rise, drop, depth, done, height):
-    """Half the width of the motion, how far it goes on beyond the clamp, and the moment where it turns."""
+def far_side_each(piece, rise, drop, depth, height):
+    """Half the width of the motion, how far it goes on beyond the clamp, the moment where it turns, how far that is
+    from the far hill, and what a shoulder tells."""
     basin = piece.basin
     hill, well, far, far_well = basin.hill, basin.well, basin.far, basin.far_well
     down = turn_to_each(far_well, far)
     if piece.low_kind == "level":
-        below = fall_each(hill, piece.low_offset, rise)
+        below = -tip_fall_each(piece, -rise, rise, drop)
     else:
-        below = basin.far_rise + fall_each(hill, 0, rise)
+        below = basin.far_rise + fall_each(hill, 0, piece.low_offset + rise)
     if basin.passes:
         # Above the ridge by its height, and the ridge above the well behind it.
         above = height + fall_each(basin.axis, 0, turn_to_each(basin.axis, far_well))
@@ -4289,23 +4736,24 @@ def far_side_each(piece, rise, drop, depth, done, height):
     left = each_pick(by_hill, piece.far_gap - distance, distance - piece.beyond_well)
     if piece.high_kind == "turn":
         left = np.maximum(beyond_clamp_each(piece, rise, drop, left), 0)
-    if basin.shoulder is not None:
-        # V may be so nearly level there that only from the clamp is it told where the motion turns.
-        turn, half_width = piece.beyond_well + left, (done + left) / 2
-    elif basin.passes:
+    if basin.passes:
         half_width = (turn + depth + turn_to_each(well, far_well)) / 2
     else:
         half_width = (turn + depth) / 2
     far_moment = each_pick(by_hill, slope_each(far, -distance), slope_each(far_well, distance)) * -1
-    far_moment = -beside_shoulder_each(basin, far_well.angle + turn, distance, -far_moment)
     far_moment = np.maximum(far_moment, least_moment_each(basin) * distance)
-    return half_width, left, far_moment, each_pick(by_hill, distance, down - distance)
+    return half_width, left, far_moment, each_pick(by_hill, distance, down - distance), None
 
 
 def unevenness_each(near, far):
     """√far − √near: by the roots where they are apart, else by far − near = 2η sin 2(middle − α) sin(half_width)."""
     apart = (8 * near < far) | (8 * far < near) | (near + far < 0.0)
     return each_pick(apart, np.sqrt(far) - np.sqrt(near), 0.0)
+
+
+def wrapped_each(angle):
+    """The angle less whole turns, between −π and π."""
+    return angle - 2 * pi * np.floor(angle / (2 * pi) + 0.5)
 
 
 def above_field_each(basin, offset, turn, height):
@@ -4319,12 +4767,14 @@ def above_field_each(basin, offset, turn, height):
     return (height + fall_each(basin.axis, 0, offset)) / each_pick(turn == 0, 1, turn)
 
 
-def mean_less_field_each(basin, centre, half_width, near, far, height, mean):
+def mean_less_field_each(basin, centre, half_width, near, far, height, there, mean):
     """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
     level."""
     apart = mean
     close = apart <= 0.0
-    if np.any(close):
+    if there is not None:
+        return np.maximum(each_pick(close, far, apart), 2.0**-52 * far / 4)
+    if each_any_of(close):
         # 2(axis − α), and 2(middle − α).
         axis = np.arctan2(basin.axis.double_sine, basin.axis.double_cosine)
         double = wrapped_each(axis + 2 * centre)
@@ -4332,27 +4782,30 @@ def mean_less_field_each(basin, centre, half_width, near, far, height, mean):
         by_far, by_near = far, near
         known = each_pick(2 * by_far > far, by_far, by_near)
         far_off = close & (2 * by_far <= far) & (2 * by_near <= near)
-        if np.any(far_off):
+        if each_any_of(far_off):
             # Not from a well that is far from where V is nearly level: there V tells least.
             told, turn = each_pick(near < far, by_near, by_far), ahead * behind
-            there = above_field_each(basin, wrapped_each(-axis - centre), turn, height)
-            known = each_pick(far_off, each_pick(height <= 0.0, there, told), known)
+            above = above_field_each(basin, wrapped_each(-axis - centre), turn, height)
+            known = each_pick(far_off, each_pick(height <= 0.0, above, told), known)
         apart = each_pick(close, known, apart)
     # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.
     least = np.maximum(height, (2.0**-52) ** 19) if basin.passes else 2.0**-52 * each_pick(near < far, near, far) / 4
     return np.maximum(apart, least)
 
 
-def rates_each(beta, basin, centre, half_width, sine, near, far, height):
-    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle."""
+def rates_each(beta, basin, centre, half_width, sine, near, far, height, there):
+    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle; there: the
+    far turning point, if it is beside a shoulder."""
     middle, cosine = basin.axis.angle + centre, each_cos(half_width)
     cos_middle = each_cos(middle)
     product = np.sqrt(near) * np.sqrt(far)
     excess = -(2 * beta * cos_middle * cosine)
+    if there is not None:
+        excess = far * sine * sine * cosine - 2 * there.stiffness * cosine * cosine
     split, rate = excess < 0, np.sqrt(product + np.maximum(excess, 0))
-    if np.any(split):
+    if each_any_of(split):
         mean = -(2 * beta * cos_middle)
-        apart = mean_less_field_each(basin, centre, half_width, near, far, height, mean)
+        apart = mean_less_field_each(basin, centre, half_width, near, far, height, there, mean)
         rate = each_pick(split, sine * np.sqrt(apart * mean / each_pick(split, product - excess, 1)), rate)
     return np.sqrt(product / 2), rate / 2
 
@@ -4374,16 +4827,22 @@ def motion_at_each(beta, piece: Piece, place):
     # Near the high end the clamp is told from there, else as the tip is: the clamp's own distances are exact.
     done, apart = piece.clamp_gap + drop, each_pick(upper, piece.past_hill - from_hill, piece.past_well + depth)
     done = each_pick(done < 0.5 * each_pick(upper, from_hill, np.abs(piece.past_well)), done, apart)
+    depth = each_pick(upper, turn_to_each(hill, well) - from_hill, depth)
+    there = None
     if basin.even:
-        half_width = depth + turn_to_each(well, basin.axis)
+        half_width = each_pick(
+            upper, turn_to_each(hill, basin.axis) - from_hill, depth + turn_to_each(well, basin.axis)
+        )
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
         far_moment, far_distance = near_moment, from_hill
     elif not basin.passes:
         half_width, left, far_moment, far_distance = parallel_side_each(beta, piece, rise, drop, from_hill, depth)
         half_width = (done + left) / 2 if piece.high_kind == "turn" else half_width
     else:
-        half_width, left, far_moment, far_distance = far_side_each(piece, rise, drop, depth, done, height)
-        near_moment = beside_shoulder_each(basin, tip, offset, near_moment)
+        side = far_side_each(piece, rise, drop, depth, height)
+        half_width, left, far_moment, far_distance, there = side
+        if basin.shoulder is not None:
+            near_moment = beside_shoulder(basin, from_hill, offset, near_moment)
         near_moment = np.maximum(near_moment, least_moment_each(basin) * np.abs(offset))
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
     lack = (from_hill + far_distance) / 2 if basin.whole else pi - half_width
@@ -4395,7 +4854,7 @@ def motion_at_each(beta, piece: Piece, place):
     left_sine = each_sin(each_pick(left > pi, lack + done / 2, left / 2))
     half_cosine = each_sin(lack / 2)
     centre = half_width - depth - turn_to_each(well, basin.axis)
-    end, middle = rates_each(beta, basin, centre, half_width, sine, near, far, height)
+    end, middle = rates_each(beta, basin, centre, half_width, sine, near, far, height, there)
     return Motion(
         (
             tip,
@@ -4505,17 +4964,30 @@ def surplus(swing, arrival, turns, sign, length):
     return 2 * turns * swing + sign * arrival - length
 
 
+def rough_surplus(given, place):
+    """The surplus of branches of a group at places."""
+    some, turns, sign = given
+    swing, arrival = rough_times(some.rods, some.piece, place)
+    return surplus(swing, arrival, turns, sign, some.rods.length)
+
+
 def roughly_at(group, brackets, kind):
     """Rough crossings of a group with a row for each: places, and the slope of the branch there."""
-    turns, sign, some = brackets.turns.astype(kind), brackets.sign.astype(kind), rounded_to(group, kind)
-
-    def value(trial):
-        swing, arrival = rough_times(some.rods, some.piece, trial)
-        return surplus(swing, arrival, turns, sign, some.rods.length)
-
+    given = rounded_to(group, kind), brackets.turns.astype(kind), brackets.sign.astype(kind)
     ends = brackets.left, brackets.right, brackets.value_left, brackets.value_right
-    place, slope = approached(value, *ends, STEPS, SPREAD)
+    place, slope = approached(rough_surplus, given, *ends, STEPS, SPREAD)
     return place.astype(float), slope.astype(float)
+
+
+class Times(Record):
+    """A motion with its phase at the clamp, half-swing and first arrival."""
+
+    __slots__ = ()
+
+    motion: Any
+    phase: Any
+    swing: Any
+    arrival: Any
 
 
 def lengths_each(a, b, square, rest):
@@ -4523,15 +4995,40 @@ def lengths_each(a, b, square, rest):
 
     Gauss's transformation makes a and b equal (DLMF 19.8(i), 19.8(iii)); it is written in sums of positive terms only.
     """
-    limit, more = 2 * (2.0**-52) ** 0.5, np.any(a > 0)
+    limit, more = 2 * (2.0**-52) ** 0.5, each_any_of(a > 0)
     while more:
-        more = np.any(np.abs(a - b) > limit * a)
+        more = each_any_of(np.abs(a - b) > limit * a)
         delta = phase_rate_each(a, b, square, rest)
         total, below = a + b, a + delta
         square, rest = gauss_square_each(square, total, below), gauss_rest_each(a, b, square, rest, delta, below)
         a, b = total / 2, np.sqrt(a * b)
     mean = (a + b) / 2
     return pi / (2 * mean), np.arctan2(np.sqrt(square), np.sqrt(rest)) / mean
+
+
+def times_at(group, place):
+    """The motions of tips at places of a group, one on each range, and their times."""
+    motion = motion_at_each(group.rods.beta, group.piece, place)
+    motion = motion._replace(uneven=motion.uneven + 0 * place)  # of an even basin it is a number
+    phase = phase_of_each(motion)
+    return Times((motion, phase, *lengths_each(motion.end / 2, motion.middle / 2, phase.square, phase.rest)))
+
+
+def put_rows(record, which, other):
+    """The record with other values for some of the rods, in its own arrays."""
+    for part, values in zip(record, other, strict=True):
+        if isinstance(part, np.ndarray):
+            part[which] = values
+        elif isinstance(part, tuple):
+            put_rows(part, which, values)
+    return record
+
+
+def secant_slope(at, before, value, value_before, slope):
+    """The slope of a branch by two places, or the one known where they are too near each other."""
+    change = at - before
+    told = np.abs(change) > TOLD * (1 + np.abs(at))
+    return np.where(told, (value - value_before) / np.where(told, change, 1), slope)
 
 
 class Found(Record):
@@ -4550,62 +5047,43 @@ class Found(Record):
     arrival: Any
 
 
-def lost_ranges(brackets, parts):
-    """The ranges of which not every crossing has been found."""
-    wanted, found = np.bincount(brackets.range), np.zeros(0, dtype=int)
-    return np.flatnonzero(
-        wanted != np.bincount(np.concatenate([found, *(part.range for part in parts)]), minlength=wanted.size)
-    )
+def lost_ranges(wanted, found):
+    """The ranges of which not every crossing has been found: as often as they are wanted."""
+    number = np.bincount(wanted)
+    return np.flatnonzero(number != np.bincount(found, minlength=number.size))
 
 
 def polished(some, brackets, place, slope, secants, ease):
     """The crossings to rounding, by secants from rough ones, and the ranges in which one is not found so.
 
-    some: the group with a row for each; secants: as many before any is looked at for being right to rounding; ease: by
-    how much more is taken for rounding after each more.
+    some: the group with a row for each; secants: as many before any is looked at for being right to rounding; ease:
+    after how many more twice as much is taken for rounding.
     """
+    wanted, crossed = brackets.range, (brackets.value_left > 0) != (brackets.value_right > 0)
+    some, brackets, place, slope = rows((some, brackets, place, slope), crossed)
     least, most = np.minimum(brackets.left, brackets.right) - 0.01, np.maximum(brackets.left, brackets.right) + 0.01
-    rising = (brackets.value_right > brackets.value_left) == (brackets.right > brackets.left)
-    todo = np.flatnonzero((brackets.value_left > 0) != (brackets.value_right > 0))
-    value, before, parts = np.full(place.shape, np.nan), place.copy(), []
+    value, before, todo = np.full(place.shape, np.nan), place.copy(), np.arange(place.size)
+    settled, found = np.zeros(place.shape, dtype=bool), Times((None, None, None, None))
     for turn in range(8):
         here, branch = (some, brackets) if todo.size == place.size else rows((some, brackets), todo)
-        at, extent = place[todo], here.rods.length
-        motion = motion_at_each(here.rods.beta, here.piece, at)
-        phase = phase_of_each(motion)
-        swing, arrival = lengths_each(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
-        now = surplus(swing, arrival, branch.turns, branch.sign, extent)
-        if turn:
-            change = at - before[todo]
-            told = np.abs(change) > TOLD * (1 + np.abs(at))
-            slope[todo] = np.where(told, (now - value[todo]) / np.where(told, change, 1), slope[todo])
-        step = now / slope[todo]
+        at, times = place[todo], times_at(here, place[todo])
+        found = put_rows(found, todo, times) if turn else times
+        now = surplus(times.swing, times.arrival, branch.turns, branch.sign, here.rods.length)
+        slope[todo] = steep = secant_slope(at, before[todo], now, value[todo], slope[todo])
+        value[todo], before[todo], step = now, at, now / steep
         if turn >= secants:
-            # What is left time and again is rounding of the times themselves.
-            blur = 4 * 2.0**-52 * ease ** max(turn - 1, 0)
-            close = (np.abs(step) <= blur * (1 + np.abs(at))) | (np.abs(now) <= blur * extent)
-            state = Found((branch.range, at, branch.turns, branch.sign, rising[todo], motion, phase, swing, arrival))
-            parts.append(state if close.all() else rows(state, close))
-            todo, at, now, step = todo[~close], at[~close], now[~close], step[~close]
-        value[todo], before[todo] = now, at
+            blur = 2.0**-52 * 2 ** min(turn - secants, ease)
+            settled[todo] = close = (np.abs(step) <= blur * (1 + np.abs(at))) | (np.abs(now) <= blur * here.rods.length)
+            # What is left time and again is rounding of the times themselves; half way leaves less of it.
+            step = np.where(np.abs(now) <= NOISE * 2.0**-52 * here.rods.length, step / 2, step)
+            todo, at, step = todo[~close], at[~close], step[~close]
         place[todo] = at = at - step
         todo = todo[(at >= least[todo]) & (at <= most[todo])]
         if not todo.size:
             break
-    return parts, lost_ranges(brackets, parts)
-
-
-def joined(records):
-    """Records of arrays, one after another; what all rods share is taken from the first."""
-    first = records[0]
-    if len(records) == 1:
-        return first
-    if isinstance(first, np.ndarray):
-        return np.concatenate(records)
-    if isinstance(first, tuple):
-        parts = [joined(list(column)) for column in zip(*records, strict=True)]
-        return type(first)(parts) if hasattr(first, "_fields") else tuple(parts)
-    return first
+    rising = (brackets.value_right > brackets.value_left) == (brackets.right > brackets.left)
+    tips = rows(Found((brackets.range, place, brackets.turns, brackets.sign, rising, *found)), settled)
+    return tips, lost_ranges(wanted, tips.range)
 
 
 def settled(part, which, brackets, place, slope, secants, doubts):
@@ -4613,15 +5091,12 @@ def settled(part, which, brackets, place, slope, secants, doubts):
     if not brackets.range.size:
         return [], which[doubts]
     some = rows(part, brackets.range)
-    ease = 2
+    ease = SHOT_EASE
     if place is None:
         place, slope = roughly_at(some, brackets, brackets.left.dtype)
-        ease = 1
-    found, lost = polished(some, brackets, place, slope, secants, ease)
+        ease = EASE
+    sure, lost = polished(some, brackets, place, slope, secants, ease)
     doubtful = np.concatenate([doubts, lost])
-    if not found:
-        return [], which[doubtful]
-    sure = joined(found)
     if doubtful.size:
         sure = rows(sure, ~np.isin(sure.range, doubtful))
     return [sure._replace(range=which[sure.range])], which[doubtful]
@@ -4803,215 +5278,15 @@ def tips(group, shots, most):
     return found, left
 
 
-def index_each(found):
-    """``index_of`` on arrays."""
-    swings = 2 * found.turns - (found.sign < 0)
-    positive = found.rising != (found.sign > 0)
-    return np.where(positive == (swings % 2 == 0), swings, swings + 1).astype(int)
+class Tips(Record):
+    """Tips that have been found: their rods, ranks of ranges, whole turns of the clamp, and motions."""
 
+    __slots__ = ()
 
-def heading_of_each(motion):
-    """The direction of a motion's tip."""
-    double = 2 * motion.tip
-    return Heading((each_cos(motion.tip), each_sin(motion.tip), each_cos(double), each_sin(double)))
-
-
-def rj_pair_each(x, product, root_sum, p, lift, less, twist):
-    """R_J(x, y, z, p) by duplication, for x ≥ 0, complex p, and y and z by √y√z and √y + √z.
-
-    lift, less, twist: p + √y√z, p − x and (p − x)(p − y)(p − z), which the rod gives without cancellation. Sums of
-    positive terms only in x, y, z. Where √p and −√y are near each other, their sum follows from their difference.
-    """
-    pair = root_sum * root_sum - 2 * product
-    mean = start = (x + pair + 2 * p) / 5
-    one, two = start - x, 2 * start - pair
-    both = start * start - start * pair + product * product
-    reach = np.abs(one) + np.abs(start - p) + np.sqrt(np.abs(both))
-    target = (2.0**-52 / 4) ** 0.125
-    scale, total = 1, 0
-    while np.any(reach > target * scale * np.abs(mean)):
-        root, root_p = np.sqrt(x), each_complex_sqrt(p)
-        side, across = root_p * root_sum, root * root_sum
-        plus, minus = lift + side, lift - side
-        cancels = (np.abs(plus) < np.abs(minus)) & (scale == 1)
-        d = (root_p + root) * each_pick(cancels, twist / (less * each_pick(cancels, minus, 1)), plus)
-        raised, lifted = (lift + across, np.sqrt(x + product + across))
-        end = 2 * root_p * raised / d
-        total = total + each_arctan_share(twist / (scale * scale * scale * d * d), end) / (scale * d)
-        pair = root_sum * (root_sum + 2 * root) / 4
-        x, p = (x + product + across) / 4, raised / 4
-        product, root_sum = root_sum * lifted / 4, np.sqrt(root_sum * (root_sum + 2 * root + 2 * lifted)) / 2
-        lift, mean = p + product, (x + pair + 2 * p) / 5
-        scale *= 4
-    size = scale * mean
-    a, b, c = one / size, two / size, both / (size * size)
-    d = -(a + b) / 2
-    e2 = a * b + c - 3 * d * d
-    e3 = a * c + 2 * e2 * d + 4 * d * d * d
-    e4 = (2 * a * c + e2 * d + 3 * d * d * d) * d
-    e5 = a * c * d * d
-    low = -3 * e2 / 14 + e3 / 6 + 9 * e2 * e2 / 88 - 3 * e4 / 22 - 9 * e2 * e3 / 52 + 3 * e5 / 26
-    high = -e2 * e2 * e2 / 16 + 3 * e3 * e3 / 40 + 3 * e2 * e4 / 20 + 45 * e2 * e2 * e3 / 272
-    high = high - 9 * (e3 * e4 + e2 * e5) / 68
-    return (1 + low + high) / (scale * mean * each_complex_sqrt(mean)) + 6 * total
-
-
-def shift_each(motion, point, root, square, rest):
-    """W as real and imaginary part: ∫e^{iθ} from the tip is e^{iφ}(σ + W)."""
-    b, near, far = point.strength, np.sqrt(motion.near), np.sqrt(motion.far)
-    twist = each_complex_of(0.0, 0.0)
-    lift = pair_lift_each(near, far, motion.uneven, motion.half_cosine, square, rest)
-    pole, lifted, less = each_complex_of(point.pole, -b), each_complex_of(lift, -b), each_complex_of(root, -b)
-    third = rj_pair_each(point.one, point.product, point.root_sum, pole, lifted, less, twist)
-    return w_real_each(b, third.imag), w_imag_each(b, third.real)
-
-
-def kink_at_each(first, second, point, root, q, m, square, rest):
-    """The part of η∫cos²(θ − α) without integral; towards the tip its terms are large and cancel in the first form."""
-    b, x, product = point.strength, point.pole, point.product
-    delta = np.maximum(phase_rate_each(first, second, square, rest), second * np.sqrt(square))
-    across, near_root = np.sqrt(square * rest), np.sqrt(point.one)
-    others = others_sum_each(q, root)
-    gap = pole_gap_each(x, np.abs(x), others, others_product_each(b, m, root, others), product)
-    far = arc_kink_each(square, delta, across, b, x, near_root, product)
-    return each_pick(x > 0.25, arc_kink_tip_each(first, second, delta, across, b, x, near_root, gap), far)
-
-
-def second_kind_each(a, b, square, rest, arrival):
-    """(b² − a²)∫sin²ψ over the same range as ``arrival``, the length, by the same transformation (DLMF 19.8.19)."""
-    limit, more, weight, growth = (2.0**-52) ** 0.5, np.any(a > 0), 1, 0
-    gap = a - b
-    while more:
-        more = np.any(np.abs(gap) > limit * a)
-        delta = phase_rate_each(a, b, square, rest)
-        total, below = a + b, a + delta
-        growth = growth - weight * second_kind_step_each(total, gap, below, square, rest, arrival)
-        square, rest = gauss_square_each(square, total, below), gauss_rest_each(a, b, square, rest, delta, below)
-        a, b, weight = total / 2, np.sqrt(a * b), 2 * weight
-        gap = gauss_gap_each(gap, a + b)  # a difference would lose what the weight brings out
-    return growth
-
-
-def arc_to_each(beta, heading, motion, point, square, rest, extent):
-    """The arc from the tip to a point, at ψ, of the given length."""
-    root = far_root_each(motion.near, each_cos(motion.half_width))
-    w_re, w_im = shift_each(motion, point, root, square, rest)
-    y, z = arc_y_each(heading.sine, heading.cosine, w_re, w_im), arc_z_each(heading.sine, heading.cosine, w_re, w_im)
-    first, second = motion.end / 2, motion.middle / 2
-    q = rest_stiffness_each(beta, heading.cosine)
-    m = tip_cubic_each(beta, heading.sine)
-    kink = kink_at_each(first, second, point, root, q, m, square, rest)
-    growth = second_kind_each(first, second, square, rest, extent)
-    return Arc((y, z, arc_square_each(beta, first, root, extent, y, kink, growth)))
-
-
-def far_point_each(motion):
-    """The far turning point."""
-    b = strength_each(motion.near_moment)
-    pole = point_pole_each(b, motion.sine, each_cos(motion.half_width))
-    return Point((b, pole, 0, far_pair_root_each(motion.end), motion.middle))
-
-
-def clamp_point_each(motion, phase):
-    """The point where the motion meets the clamp."""
-    b, done = strength_each(motion.near_moment), motion.done_sine
-    one = point_near_each(b, motion.sine, done, motion.left_sine)
-    product = pair_root_each(np.sqrt(motion.near), done, phase.whole, phase.delta / motion.end)
-    delta = phase_rate_each(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
-    # 2Δ/sin ψ is no less than ``middle``, the square of which may underflow.
-    root_sum = np.maximum(pair_root_sum_each(phase.square, delta), motion.middle)
-    return Point((b, point_pole_each(b, done, each_cos(motion.done / 2)), one, product, root_sum))
-
-
-def first_stretches(rods, heading, found):
-    """The arcs from the tip, or from where the motion is as there, to the clamp."""
-    motion, phase = found.motion, found.phase
-    point = clamp_point_each(motion, phase)
-    return arc_to_each(rods.beta, heading, motion, point, phase.square, phase.rest, found.arrival)
-
-
-def sent_back_each(motion):
-    """The motion from its far turning point back to the tip, as the mirror at the y axis shows it.
-
-    A clamp at the turning point itself, where the motion has no point by ℘, is a little before it.
-    """
-    return motion._replace(
-        tip=-(motion.tip + 2 * motion.half_width),
-        done=motion.left,
-        left=motion.done,
-        near_moment=motion.far_moment,
-        far_moment=motion.near_moment,
-        near=motion.far,
-        far=motion.near,
-        uneven=-motion.uneven,
-        done_sine=np.maximum(motion.left_sine, (2.0**-52) ** 6),
-        left_sine=motion.done_sine,
-    )
-
-
-def arc_from_far_each(heading, there, arc, extent):
-    """The arc of a motion turned back, whose heading is ``there``, as what departs from the tip's direction."""
-    y, z = arc.y + extent * (there.cosine - heading.cosine), arc.z + extent * (there.sine + heading.sine)
-    return Arc((y, -z, arc.square))
-
-
-def last_stretches(rods, heading, found):
-    """The arcs from the last turning point to the clamp, of rods that end on their way back."""
-    back, extent = sent_back_each(found.motion), found.swing - found.arrival
-    there, phase = heading_of_each(back), phase_of_each(back)
-    point = clamp_point_each(back, phase)
-    arc = arc_to_each(rods.beta, there, back, point, phase.square, phase.rest, extent)
-    return arc_from_far_each(heading, there, arc, extent)
-
-
-def departures(rods, heading, found):
-    """The arcs of the rods, less those of straight ones: of whole half-swings, and of the last stretch."""
-    columns = [np.zeros(found.turns.size) for _ in range(3)]
-    motion, swing, through = found.motion, found.swing, 2 * found.turns - (found.sign < 0)
-    swung = np.flatnonzero(found.turns > 0)
-    if swung.size:
-        some, there, motion, swing, times = rows((rods, heading, motion, swing, through), swung)
-        one, none = np.full(swung.shape, 1.0), np.zeros(swung.size)
-        whole = arc_to_each(some.beta, there, motion, far_point_each(motion), one, none, swing)
-        for column, change in zip(columns, whole, strict=True):
-            column[swung] = times * change
-    for which, stretch in ((found.sign > 0, first_stretches), (found.sign < 0, last_stretches)):
-        some = np.flatnonzero(which)
-        if some.size:
-            for column, change in zip(columns, stretch(*rows((rods, heading, found), some)), strict=True):
-                column[some] += change
-    return columns
-
-
-def bent(group, found, most):
-    """The equilibria of tips on their branches."""
-    index = index_each(found)
-    wanted = np.flatnonzero(index <= most)
-    if wanted.size < index.size:
-        found, index = rows(found, wanted), index[wanted]
-    rods, rank, turns = rows((group.rods, group.rank, group.turns), found.range)
-    motion, phase = found.motion, found.phase
-    beta, length = rods.beta, rods.length
-    heading = heading_of_each(motion)
-    y, z, square = departures(rods, heading, found)
-    speed = phase.delta * phase.whole / (motion.end * motion.sine) * np.sqrt(2 * motion.done_sine * motion.left_sine)
-    gamma = 2 * beta * heading.cosine
-    energy = -gamma * length / 2 - 2 * beta * y - square
-    scale, side = rods.scale, rods.side
-    return Columns(
-        (
-            rods.case,
-            side * (rank - LAST),
-            side * found.place,
-            side * (motion.tip + 2 * pi * turns),
-            -side * found.sign * np.ldexp(speed, scale),
-            np.ldexp(gamma, 2 * scale),
-            np.ldexp(length * heading.cosine + y, -scale),
-            side * np.ldexp(length * heading.sine + z, -scale),
-            np.ldexp(energy, scale),
-            index,
-        )
-    )
+    rods: Any
+    rank: Any
+    turns: Any
+    found: Any
 
 
 def straight_rods(straight, most):
@@ -5043,25 +5318,263 @@ def straight_rods(straight, most):
     return rows(found, index <= most)
 
 
+def index_each(found):
+    """``index_of`` on arrays."""
+    swings = 2 * found.turns - (found.sign < 0)
+    positive = found.rising != (found.sign > 0)
+    return np.where(positive == (swings % 2 == 0), swings, swings + 1).astype(int)
+
+
+def clamp_point_each(motion, phase):
+    """The point where the motion meets the clamp."""
+    b, done = strength_each(motion.near_moment), motion.done_sine
+    one = point_near_each(b, motion.sine, done, motion.left_sine)
+    product = pair_root_each(np.sqrt(motion.near), done, phase.whole, phase.delta / motion.end)
+    delta = phase_rate_each(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
+    # 2Δ/sin ψ is no less than ``middle``, the square of which may underflow.
+    root_sum = np.maximum(pair_root_sum_each(phase.square, delta), motion.middle)
+    return Point((b, point_pole_each(b, done, each_cos(motion.done / 2)), one, product, root_sum))
+
+
+def rj_pair_each(x, product, root_sum, p, lift, less, twist):
+    """R_J(x, y, z, p) by duplication, for x ≥ 0, complex p, and y and z by √y√z and √y + √z.
+
+    lift, less, twist: p + √y√z, p − x and (p − x)(p − y)(p − z), which the rod gives without cancellation. Sums of
+    positive terms only in x, y, z. Where √p and −√y are near each other, their sum follows from their difference.
+    """
+    pair = root_sum * root_sum - 2 * product
+    fivefold = x + pair + (p + p)
+    start = fivefold / 5
+    one, two = start - x, 2 * start - pair
+    both = start * start - start * pair + product * product
+    reach = 5 * (np.abs(one) + np.abs(start - p) + np.sqrt(np.abs(both)))
+    target = (2.0**-52 / 4) ** 0.125
+    scale, total = 1, 0
+    while each_any_of(reach > target * scale * np.abs(fivefold)):
+        root, root_p = np.sqrt(x), each_complex_sqrt(p)
+        side, across = root_p * root_sum, root * root_sum
+        plus = lift + side
+        if scale == 1:
+            minus = lift - side
+            cancels = np.abs(plus) < np.abs(minus)
+            plus = each_pick(cancels, twist / (less * each_pick(cancels, minus, 1)), plus)
+        d = (root_p + root) * plus
+        raised, lifted = (lift + across, np.sqrt(x + product + across))
+        end = (root_p + root_p) * raised / d
+        total = total + each_arctan_share(twist / (scale * scale * scale * d * d), end) / (scale * d)
+        pair = root_sum * (root_sum + 2 * root) / 4
+        x, p = (x + product + across) / 4, raised * 0.25  # a quotient of complex numbers takes longer
+        product, root_sum = root_sum * lifted / 4, np.sqrt(root_sum * (root_sum + 2 * root + 2 * lifted)) / 2
+        lift, fivefold = p + product, x + pair + (p + p)
+        scale *= 4
+    mean = fivefold / 5
+    size = scale * mean
+    a, b, c = one / size, two / size, both / (size * size)
+    d = -(a + b) / 2
+    e2 = a * b + c - 3 * d * d
+    e3 = a * c + 2 * e2 * d + 4 * d * d * d
+    e4 = (2 * a * c + e2 * d + 3 * d * d * d) * d
+    e5 = a * c * d * d
+    low = -3 * e2 / 14 + e3 / 6 + 9 * e2 * e2 / 88 - 3 * e4 / 22 - 9 * e2 * e3 / 52 + 3 * e5 / 26
+    high = -e2 * e2 * e2 / 16 + 3 * e3 * e3 / 40 + 3 * e2 * e4 / 20 + 45 * e2 * e2 * e3 / 272
+    high = high - 9 * (e3 * e4 + e2 * e5) / 68
+    return (1 + low + high) / (scale * mean * each_complex_sqrt(mean)) + 6 * total
+
+
+def shift_each(motion, point, root, square, rest):
+    """W as real and imaginary part: ∫e^{iθ} from the tip is e^{iφ}(σ + W)."""
+    b, near, far = point.strength, np.sqrt(motion.near), np.sqrt(motion.far)
+    twist = each_complex_of(0.0, 0.0)
+    lift = pair_lift_each(near, far, motion.uneven, motion.half_cosine, square, rest)
+    pole, lifted, less = each_complex_of(point.pole, -b), each_complex_of(lift, -b), each_complex_of(root, -b)
+    third = rj_pair_each(point.one, point.product, point.root_sum, pole, lifted, less, twist)
+    return w_real_each(b, third.imag), w_imag_each(b, third.real)
+
+
+def kink_at_each(motion, first, second, point, root, q, m, square, rest):
+    """The part of η∫cos²(θ − α) without integral; towards the tip its terms are large and cancel in the first form."""
+    b, x, product = point.strength, point.pole, point.product
+    delta = np.maximum(phase_rate_each(first, second, square, rest), second * np.sqrt(square))
+    across, others = np.sqrt(square * rest), others_sum_each(q, root)
+    both = others_product_each(b, m, root, others)
+    lift = pair_lift_each(np.sqrt(motion.near), np.sqrt(motion.far), motion.uneven, motion.half_cosine, square, rest)
+    far = arc_kink_each(first, square, delta, across, b, x, root, np.sqrt(point.one), product)
+    # Beyond the middle the lift may be as good as nothing to divide by, and the square of the pole, too.
+    towards_tip = lift > 0.15
+    lift, there = each_pick(towards_tip, lift, 1), each_pick(towards_tip, x, 1)
+    return each_pick(towards_tip, arc_kink_tip_each(first, delta, across, b, there, root, others, both, lift), far)
+
+
+def second_kind_each(a, b, square, rest, arrival):
+    """∫sin²ψ over the same range as ``arrival``, the length, and by how much that exceeds sin ψ cos ψ/Δ.
+
+    By the same transformation (DLMF 19.8.19). Both are small as the cube of a short length, without a difference.
+    """
+    limit, more, gap = (2.0**-52) ** 0.5, each_any_of(a > 0), a - b
+    delta, weight, weights, integral, excess = phase_rate_each(a, b, square, rest), 0.5, 0.0, 0, 0
+    while more:
+        more = each_any_of(np.abs(gap) > limit * a)
+        total, below = a + b, a + delta
+        square, rest = gauss_square_each(square, total, below), gauss_rest_each(a, b, square, rest, delta, below)
+        share, first, second = gap / total, 2 * a / total, 2 * b / total
+        a, b = total / 2, np.sqrt(a * b)
+        delta = phase_rate_each(a, b, square, rest)
+        bend = phase_bend_each(share, first, square, rest, np.sqrt(square * rest), delta)
+        step = lag_step_each(bend, share, second, square, rest)
+        integral = integral + weight * first * bend + weights * step
+        weights, weight, excess = weights + weight, weight * share / 2, excess + step
+        gap = gauss_gap_each(gap, a + b)  # a difference would lose what the weight brings out
+    last = each_arc_excess((a + b) * arrival) / (a + b)
+    return integral + (weights + weight) * last, excess + last
+
+
+def arc_to_each(beta, heading, motion, point, square, rest, extent):
+    """The arc from the tip to a point, at ψ, of the given length."""
+    root = far_root_each(motion.near, each_cos(motion.half_width))
+    w_re, w_im = shift_each(motion, point, root, square, rest)
+    y, z = arc_y_each(heading.sine, heading.cosine, w_re, w_im), arc_z_each(heading.sine, heading.cosine, w_re, w_im)
+    first, second = motion.end / 2, motion.middle / 2
+    q = rest_stiffness_each(beta, heading.cosine)
+    m = tip_cubic_each(beta, heading.sine)
+    kink = kink_at_each(motion, first, second, point, root, q, m, square, rest)
+    turned, lag = second_kind_each(first, second, square, rest, extent)
+    return Arc((y, z, arc_square_each(beta, first, second, root, y, kink, turned, lag)))
+
+
+def first_stretches(rods, heading, found):
+    """The arcs from the tip, or from where the motion is as there, to the clamp."""
+    motion, phase = found.motion, found.phase
+    point = clamp_point_each(motion, phase)
+    return arc_to_each(rods.beta, heading, motion, point, phase.square, phase.rest, found.arrival)
+
+
+def sent_back_each(motion):
+    """The motion from its far turning point back to the tip, as the mirror at the y axis shows it.
+
+    A clamp at the turning point itself, where the motion has no point by ℘, is a little before it.
+    """
+    return motion._replace(
+        tip=-(motion.tip + 2 * motion.half_width),
+        done=motion.left,
+        left=motion.done,
+        near_moment=motion.far_moment,
+        far_moment=motion.near_moment,
+        near=motion.far,
+        far=motion.near,
+        uneven=-motion.uneven,
+        done_sine=np.maximum(motion.left_sine, (2.0**-52) ** 6),
+        left_sine=motion.done_sine,
+    )
+
+
+def heading_at(motion):
+    """``heading_of`` by NumPy's own sine and cosine: a rounding of them is one of the tip's place."""
+    double = 2 * motion.tip
+    return Heading((np.cos(motion.tip), np.sin(motion.tip), np.cos(double), np.sin(double)))
+
+
+def arc_from_far_each(heading, there, arc, extent):
+    """The arc of a motion turned back, whose heading is ``there``, as what departs from the tip's direction."""
+    y, z = arc.y + extent * (there.cosine - heading.cosine), arc.z + extent * (there.sine + heading.sine)
+    return Arc((y, -z, arc.square))
+
+
+def last_stretches(rods, heading, found):
+    """The arcs from the last turning point to the clamp, of rods that end on their way back."""
+    back, extent = sent_back_each(found.motion), found.swing - found.arrival
+    there, phase = heading_at(back), phase_of_each(back)
+    point = clamp_point_each(back, phase)
+    arc = arc_to_each(rods.beta, there, back, point, phase.square, phase.rest, extent)
+    return arc_from_far_each(heading, there, arc, extent)
+
+
+def far_point_each(motion):
+    """The far turning point."""
+    b = strength_each(motion.near_moment)
+    pole = point_pole_each(b, motion.sine, each_cos(motion.half_width))
+    return Point((b, pole, 0, far_pair_root_each(motion.end), motion.middle))
+
+
+def departures(rods, heading, found, stretch):
+    """The arcs of the rods, less those of straight ones: of whole half-swings, and of the last stretch."""
+    columns = stretch(rods, heading, found)
+    motion, swing, through = found.motion, found.swing, 2 * found.turns - (found.sign < 0)
+    swung = np.flatnonzero(found.turns > 0)
+    if swung.size:
+        some, there, motion, swing, times = rows((rods, heading, motion, swing, through), swung)
+        one, none = np.full(swung.shape, 1.0), np.zeros(swung.size)
+        whole = arc_to_each(some.beta, there, motion, far_point_each(motion), one, none, swing)
+        for column, change in zip(columns, whole, strict=True):
+            column[swung] += times * change
+    return columns
+
+
+def bent(some, stretch):
+    """The equilibria of tips, given with their indices, from which the clamp is reached by stretches of one kind."""
+    tips, index = some
+    rods, found = tips.rods, tips.found
+    motion, phase = found.motion, found.phase
+    beta, length = rods.beta, rods.length
+    heading = heading_at(motion)
+    y, z, square = departures(rods, heading, found, stretch)
+    speed = phase.delta * phase.whole / (motion.end * motion.sine) * np.sqrt(2 * motion.done_sine * motion.left_sine)
+    gamma = 2 * beta * heading.cosine
+    energy = -gamma * length / 2 - 2 * beta * y - square
+    unit, side = np.ldexp(1.0, rods.scale), rods.side
+    return Columns(
+        (
+            rods.case,
+            side * (tips.rank - LAST),
+            side * found.place,
+            side * (motion.tip + 2 * pi * tips.turns),
+            -side * found.sign * speed * unit,
+            gamma * unit * unit,
+            (length * heading.cosine + y) / unit,
+            side * (length * heading.sine + z) / unit,
+            energy * unit,
+            index,
+        )
+    )
+
+
+def bent_rods(known, most):
+    """The equilibria of tips on their branches, a list of Columns: those of short lists together."""
+    few = [tips for tips in known if 2 * tips.rank.size < AT_ONCE]
+    many = [tips for tips in known if 2 * tips.rank.size >= AT_ONCE]
+    parts = []
+    for tips in [*many, joined(few)] if few else many:
+        index = index_each(tips.found)
+        some = rows((tips, index), index <= most)
+        for stretch, sign in ((first_stretches, 1), (last_stretches, -1)):
+            there = rows(some, some[0].found.sign == sign)
+            for start in range(0, there[1].size, AT_ONCE):
+                parts.append(bent(rows(there, slice(start, start + AT_ONCE)), stretch))
+    return parts
+
+
 def on_arrays(rods, shots, most):
     """The equilibria of rods with tips below the clamp angle, the straight ones, and the cases left to the scalar
     solver."""
     found, straight, doubtful = groups(rods)
-    parts, left = [no_columns()], [doubtful]
+    known, left = [], [doubtful]
     for group in found:
         tip, lost = tips(group, shots, most)
         left.append(group.rods.case[lost])
-        parts += [bent(group, some, most) for some in tip]
-    parts += [straight_rods(some, most) for some in straight]
+        for some in tip:
+            rod, rank, turns = rows((group.rods, group.rank, group.turns), some.range)
+            known.append(Tips((rod, rank, turns, some)))
+    parts = [no_columns(), *(straight_rods(some, most) for some in straight), *bent_rods(known, most)]
     return joined(parts), np.concatenate(left)
 
 
-def short(found, size, most):
+def short(found, shots, size, most):
     """The rods of which an equilibrium is missing: those of even and of odd index differ by one in number (the
-    degree of the equation is that of the rod without load), and the least energy has index 0."""
+    degree of the equation is that of the rod without load), the least energy has index 0, and every shot ends in one.
+    """
     if most < np.inf:
         return np.bincount(found.case, minlength=size) == 0
-    return np.bincount(found.case, weights=1 - 2 * (found.index % 2), minlength=size) != 1
+    balance = np.bincount(found.case, weights=1 - 2 * (found.index % 2), minlength=size)
+    return (balance != 1) | (np.bincount(found.case, minlength=size) < shots.number[0::2] + shots.number[1::2])
 
 
 def at_once(beta, length, clamp_angle, size, most):
@@ -5074,7 +5587,10 @@ def at_once(beta, length, clamp_angle, size, most):
     rods = rows(Rods((np.arange(size), 1, scale, force, extent, clamp, slow, slow < 0)), good)
     rods, shots = with_shots(rods, size)
     found, doubtful = on_arrays(rods, shots, most)
-    return found, np.unique(np.concatenate([np.flatnonzero(~good), doubtful, np.flatnonzero(short(found, size, most))]))
+    return (
+        found,
+        np.unique(np.concatenate([np.flatnonzero(~good), doubtful, np.flatnonzero(short(found, shots, size, most))])),
+    )
 
 
 def one_by_one(beta, length, clamp_angle, max_index):
@@ -5135,9 +5651,11 @@ def slab(grid, which, values):
 def sweep_arrays(beta, length, clamp_angle, grid, max_index):
     """Every equilibrium of every rod, sorted by rod and then by tip angle; all arguments broadcast to ``grid``.
 
-    max_index: the largest index wanted, or None for all. The memory needed besides the result is that of one block.
+    max_index: the largest index wanted, or None for all. The memory needed besides the result is that of one block, or
+    of one column. Without ranks and places, which only put the tips of a block in order.
     """
-    number, parts = prod(grid), [no_columns()]
+    number, none = prod(grid), no_columns()
+    columns = [[column] for column in none]
     for start in range(0, number, BLOCK):
         which = slice(start, min(start + BLOCK, number))
         found = block(
@@ -5147,8 +5665,13 @@ def sweep_arrays(beta, length, clamp_angle, grid, max_index):
             which.stop - start,
             max_index,
         )
-        parts.append(found._replace(case=found.case + start))
-    return joined(parts)
+        found = found._replace(case=found.case + start, rank=none.rank, place=none.place)
+        for parts, column in zip(columns, found, strict=True):
+            parts.append(column)
+    whole = []
+    while columns:
+        whole.append(np.concatenate(columns.pop(0)))
+    return Columns(whole)
 
 
 # Interface

@@ -14,14 +14,14 @@ Formulas, each proved equal to its derivation:
     far_pair_root, far_root, far_sine (DLMF 22.4(iii)), force_balance (exsl6), force_stiffness,
     gauss_gap (DLMF 19.8(i)), gauss_rest (DLMF 19.8(iii)), gauss_square (DLMF 19.8(iii)),
     half_rest (DLMF 22.6(iii)), half_rest_beyond (DLMF 22.6(iii)), half_square (DLMF 22.6(iii)),
-    half_square_beyond (DLMF 22.6(iii)), near_by_phase (DLMF 19.25.35), others_product, others_sum,
-    pair_couple (exsl6), pair_lift, pair_root, pair_root_sum (DLMF 19.26(iii)), pair_stiffness, phase_lead,
-    phase_rate (DLMF 19.2.4), phase_ratio (DLMF 19.2.4), phase_sum, point_near, point_pole (exsl22),
-    point_speed (exsl8), pole_gap, rest_fall, rest_moment, rest_stiffness, rj_delta_imag (DLMF 19.26(iii)),
-    rj_delta_real (DLMF 19.26(iii)), second_kind_step (DLMF 19.8.19), strength (exsl17), tip_cubic, turn_level,
-    turn_over (DLMF 4.21(iii)), turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7),
+    half_square_beyond (DLMF 22.6(iii)), lag_step (DLMF 19.8(iii)), near_by_phase (DLMF 19.25.35), others_product,
+    others_sum, pair_couple (exsl6), pair_lift, pair_root, pair_root_sum (DLMF 19.26(iii)), pair_stiffness,
+    phase_bend (DLMF 19.8(iii)), phase_lead, phase_rate (DLMF 19.2.4), phase_ratio (DLMF 19.2.4), phase_sum,
+    point_near, point_pole (exsl22), point_speed (exsl8), rest_fall, rest_moment, rest_stiffness,
+    rj_delta_imag (DLMF 19.26(iii)), rj_delta_real (DLMF 19.26(iii)), shot_bend, strength (exsl17), tip_cubic,
+    turn_level, turn_over (DLMF 4.21(iii)), turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7),
     w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 892a1b88f06d78d6668826021a7930b07e4f1d644eb62aeff3d1add5d9f51c2a
+Digest of the inputs: sha256 df615acb04689a6071686effb4d4f4693426a4155c07d5b913b1cc1f98bc3100
 """
 
 from __future__ import annotations
@@ -62,6 +62,10 @@ __all__ = ["Equilibrium", "Exchange", "Fold", "Shape", "Sweep", "equilibria", "e
 
 FEWEST = 15  # decimal digits
 MOST = 1000
+DEEP = 30  # places beyond which tips are told by other means
+WITHIN = 2  # spacings of the length to which time maps are right
+TRIES = 24
+NEAR = 0.5  # how far a tip may be from where it was aimed, as a difference of places
 WINDOW = 0.5
 FURTHEST = 3
 
@@ -69,15 +73,21 @@ FURTHEST = 3
 # Special functions
 
 
+def in_a_line(value):
+    """The text of a value for an error, which is one line."""
+    return " ".join(repr(value).split())
+
+
 def real(name, value):
     """A finite real number as an mpf, from a number or its decimal text; TypeError or ValueError names the argument."""
     numeric = getattr(getattr(value, "dtype", None), "kind", "f") in "fiu" and not getattr(value, "ndim", 0)
     try:
-        if isinstance(value, (bool, bytes, complex)) or not numeric:
+        # A pair would be a mantissa with its exponent; NumPy's numbers are Python's by ``item``.
+        if isinstance(value, (bool, bytes, complex, tuple)) or not numeric or hasattr(value, "mask"):
             raise TypeError(name)
-        number = mpf(value)
+        number = mpf(value.item() if hasattr(value, "dtype") else value)
     except (TypeError, ValueError, ZeroDivisionError):
-        raise TypeError(f"{name} must be a real number, got {value!r}") from None
+        raise TypeError(f"{name} must be a real number, got {in_a_line(value)}") from None
     if not isfinite(number):
         raise ValueError(f"{name} must be finite, got {value!r}")
     return number
@@ -145,9 +155,24 @@ def arctan_share(z, end):
     return log((1 + root) * (1 + root) / end) / (2 * root)
 
 
+def arc_excess(x):
+    """x − sin x, by its series where x is small."""
+    if x > 1:
+        return x - sin(x)
+    total, power, n = 0, x * x * x / 6, 3
+    while abs(power) > eps * total:
+        total, power, n = total + power, -power * x * x / ((n + 1) * (n + 2)), n + 2
+    return total
+
+
 def plus_quarters(angle, quarters):
     """angle + quarters·π/2."""
     return angle + quarters * (pi / 2)
+
+
+def apart_by_quarters(angle, quarters):
+    """Two numbers that add up to angle + quarters·π/2."""
+    return quarters * (pi / 2), angle
 
 
 # Formulas, as derived
@@ -210,6 +235,29 @@ def pair_stiffness(eta, lean_cosine, cusp_cosine, beside_sine, along, across, fo
     )
 
 
+def shot_bend(beta, eta, growth):
+    """a bound of |∂²θ(0)/∂θ(ℓ)²| for every tip, by cosh(ℓ√(β + η)) − 1: it solves G″ = (β + η)G + (β + 2η)cosh².
+
+    Proved as swing.shot_bend.
+    """
+    return growth * (beta + 2 * eta) * (3 + growth) / (3 * beta + 3 * eta)
+
+
+def rest_moment(eta, stiffness, double_cosine, double_sine, sine, cosine):
+    """θ″ at an offset from a direction without moment, by the sine and cosine of half the offset.
+
+    Proved as swing.rest_moment.
+    """
+    return (
+        2
+        * sine
+        * (
+            cosine * (stiffness - 2 * eta * double_cosine * sine * sine)
+            - 0.5 * eta * double_sine * sine * (3 - 4 * sine * sine)
+        )
+    )
+
+
 def rest_fall(eta, stiffness, double_cosine, double_sine, middle_sine, middle_cosine, half_sine, half_cosine):
     """V(rest + middle − half) − V(rest + middle + half), from a direction without moment.
 
@@ -236,21 +284,6 @@ def rest_fall(eta, stiffness, double_cosine, double_sine, middle_sine, middle_co
                 (3 - 4 * middle_sine * middle_sine) * middle_sine * middle_sine
                 + (1 - 8 * middle_sine * middle_sine * middle_cosine * middle_cosine) * half_sine * half_sine
             )
-        )
-    )
-
-
-def rest_moment(eta, stiffness, double_cosine, double_sine, sine, cosine):
-    """θ″ at an offset from a direction without moment, by the sine and cosine of half the offset.
-
-    Proved as swing.rest_moment.
-    """
-    return (
-        2
-        * sine
-        * (
-            cosine * (stiffness - 2 * eta * double_cosine * sine * sine)
-            - 0.5 * eta * double_sine * sine * (3 - 4 * sine * sine)
         )
     )
 
@@ -429,14 +462,6 @@ def others_sum(q, root):
     return -0.25 * q - root
 
 
-def pole_gap(pole, size, others_sum, others_product, pair_root):
-    """x² − x√X₂√X₃, with size = |x|, x > 0.
-
-    Proved as swing.pole_gap.
-    """
-    return pole * (pole * others_sum - others_product) / (size + pair_root)
-
-
 def others_product(b, m, root, others_sum):
     """ê₂ê₃ by ê₁ and ê₂ + ê₃.
 
@@ -445,31 +470,48 @@ def others_product(b, m, root, others_sum):
     return 0.25 * b * m - root * others_sum
 
 
-def arc_kink(square, delta, across, b, pole, near_root, pair_root):
+def arc_kink(first, square, delta, across, b, pole, root, near_root, pair_root):
     """The part of ∫η cos²(θ − α)dσ without integral.
 
     Equation DLMF 19.29(ii); proved as swing.arc_kink.
     """
-    return 4 * delta * across / square - 2 * near_root * (1 + pole * pair_root / (b * b + pole * pole))
+    return (
+        across * (2 * first * first - 2 * root) / delta
+        + 4 * delta * across / square
+        - 2 * near_root * (1 + pole * pair_root / (b * b + pole * pole))
+    )
 
 
-def arc_kink_tip(first, second, delta, across, b, pole, near_root, gap):
-    """The same where x is large, by x² − x√X₂√X₃.
+def arc_kink_tip(first, delta, across, b, pole, root, others_sum, others_product, lift):
+    """The same towards the tip, with lift = x + √X₂√X₃: it is small as σ³, and so are its terms.
 
     Proved as swing.arc_kink_tip.
     """
     return (
-        across * (4 * second - 4 * first) * (first + second) / delta
-        + 2 * near_root * (gap + b * b) / (b * b + pole * pole)
+        across
+        * (
+            (lift + first * first - root - others_sum) * b * b
+            + pole * (first * first - root) * (pole * others_sum - others_product) / lift
+            - pole * others_product
+        )
+        / (delta * (b * b + pole * pole))
     )
 
 
-def second_kind_step(total, gap, below, square, rest, arc):
-    """2J′ − J for J = (b² − a²)∫sin²ψ dσ over a length, J′ the same after Gauss's step; below = a + Δ.
+def phase_bend(share, first_share, square, rest, across, delta):
+    """kS′τ′/(1 + kS′) after Gauss's step, by k = (a − b)/(a + b) and 1 + k; τ = sin ψ cos ψ/Δ.
 
-    Equation DLMF 19.8.19; proved as swing.second_kind_step.
+    Equation DLMF 19.8(iii); proved as swing.phase_bend.
     """
-    return total * gap * (0.5 * arc - sqrt(square * rest) / below)
+    return share * square * across / ((rest + first_share * square) * delta)
+
+
+def lag_step(bend, share, second_share, square, rest):
+    """τ′ − τ for τ = sin ψ cos ψ/Δ, τ′ the same after Gauss's step, by ``phase_bend``, k and 1 − k.
+
+    Equation DLMF 19.8(iii); proved as swing.lag_step.
+    """
+    return bend * share * rest / (rest + second_share * square)
 
 
 def gauss_gap(gap, total):
@@ -480,12 +522,17 @@ def gauss_gap(gap, total):
     return 0.25 * gap * gap / total
 
 
-def arc_square(beta, first, root, arc, y_apart, kink, growth):
+def arc_square(beta, first, second, root, y_apart, kink, turned, lag):
     """η∫cos²(θ − α)dσ from the tip to the point less what it is along the tip's direction, by the same of y.
 
     Equation DLMF 19.29(ii); proved as swing.arc_square.
     """
-    return -beta * y_apart - 2 * arc * (2 * first * first - 2 * root) - 2 * kink - 8 * growth
+    return (
+        -beta * y_apart
+        - 8 * turned * (second - first) * (first + second)
+        - 2 * lag * (2 * first * first - 2 * root)
+        - 2 * kink
+    )
 
 
 def strength(moment_there):
@@ -1092,7 +1139,7 @@ def rising_root(function, low, high):
         low, high, value_low, value_high = narrowed(low, high, value_low, value_high, middle, value)
         low, high, value_low, value_high = narrowed(low, high, value_low, value_high, trial, value_trial)
         moving = moving & (abs(high - low) > 2 * epsilon() * abs(trial)) & (value_trial != 0) & (exact == 0)
-        if any_of(settled & moving):
+        if any_of(moving) and not any_of(moving & (settled == 0)):
             # The trials stay on one side of the root: is it between them and the next few numbers?
             beside = trial + pick((value_trial > 0) == (high > low), -2, 2) * epsilon() * abs(trial)
             beside = pick(settled, beside, trial)
@@ -1221,13 +1268,13 @@ def with_shoulder(beta, eta, field_angle, scene):
     steep = field_angle > pi / 4
     lean = pick(steep, -less_quarters(field_angle, 1), field_angle)
     cusp = astroid_cusp(lean)
-    place, couple = lean + cusp, couple_beyond(beta, eta, lean, cusp)
+    # Of the couple rounding may leave nothing, or less.
+    place, couple = lean + cusp, -larger(-couple_beyond(beta, eta, lean, cusp), epsilon() * (beta + eta))
     stiffness = couple * cos(place) / sin(place)
     shoulder = Rest((2, place, 0, stiffness, cos(2 * cusp), sin(2 * cusp)))
     if any_of(steep):
-        back = rest_turned_back(shoulder)
-        shoulder = pick_rest(steep, back._replace(extra=back.extra + pi), shoulder)
-    return scene._replace(shoulder=rest_of(2, shoulder), moment=couple)
+        shoulder = pick_rest(steep, rest_turned_back(shoulder)._replace(quarters=4), shoulder)
+    return scene._replace(shoulder=rest_of(shoulder.quarters, shoulder), moment=couple)
 
 
 def oblique_landscape(beta, eta, field_angle):
@@ -1292,40 +1339,189 @@ def clamp_in(rests, angle):
     return Clamp((turns, offsets))
 
 
-class Ground(Record):
-    """What the ranges of a rod are told by: its landscape and the clamp's offsets from the directions there.
+def miss_of(beta, eta, field_angle, clamp_angle, offset):
+    """The angle at arc length 0 of a motion from a tip at an offset from the clamp angle, less the clamp angle.
 
-    drop: V(hill) − V(ridge); level: from the hill to the level of the ridge, depth: from there to the well; by_hill:
-    level is told by the hill, depth by the well if not; height: V(ridge) − V(clamp). They are 0 where no ridge is lower
-    than the hill.
+    The rod's length is 1.
+    """
+    tip = clamp_angle + offset
+    double = 2 * (tip - field_angle)
+    along, across, half = beta * cos(tip), beta * sin(tip), eta / 2 * sin(double)
+    p, m, q = across + half, across - half, along + eta * cos(double)
+    quarter, c = p * m / 4, q / 12
+    g2, g3 = q * c - quarter, (quarter - q * q / 18) * c - along * p * p / 16
+    # ℘(1) by the series at 1/8 and three doublings.
+    a, b, fourth, twice = g2 / 81920, g3 / 7340032, g2 / 4, 2 * g3
+    value = 64 * (1 + a + b + a * a / 3 + a * b * (mpf(3) / 11) + (2 * a * a * a / 3 + b * b) / 13)
+    for _ in range(3):
+        squared = value * value
+        above = squared + fourth
+        value = (above * above + twice * value) / (value * (4 * squared - g2) - g3)
+    return offset + 2 * atan2(p / 4, value - c)
+
+
+def samples_apart(function, reach, sag):
+    """Places and the values there, such that one zero or none lies between two; None where there is a doubt.
+
+    The function is above the chord between two places by no more than sag·width²/4. Where its values are on one side
+    of zero it has none between if the sum of their square roots is more than the width times √sag; and where their
+    sum is more than sag·width² it rises or falls all the way.
+    """
+    places, values = [-reach], [function(-reach)]
+    todo, bound = [(reach, function(reach))], (1 + mpf("0.02")) * sag
+    while todo:
+        place, value = todo[-1]
+        before, width = values[-1], place - places[-1]
+        apart = abs(value - before) if (value > 0) != (before > 0) else abs(value + before) + 2 * sqrt(value * before)
+        if apart > bound * width * width:
+            places.append(place)
+            values.append(value)
+            todo.pop()
+        elif width < 2.0 ** (-26) * reach:
+            return None
+        else:
+            middle = place - width / 2
+            todo.append((middle, function(middle)))
+    return None if min(abs(value) for value in values) < mpf("1e-10") * reach else (places, values)
+
+
+class Shot(Record):
+    """A tip, by its offset from the clamp angle; rate: ∂θ(0)/∂θ(ℓ)."""
+
+    __slots__ = ()
+
+    offset: mpf
+    rate: mpf
+
+
+def smooth_root(function, low, high, value_low, value_high, blur):
+    """A zero of a function that rises or falls all the way between two places, and its slope there, by secants.
+
+    Where the function is cheap and all but straight these take less time than polynomials. blur: a value that rounding
+    may have made of zero; values that differ by less than a thousand of it tell no slope.
+    """
+    slope, rising = (value_high - value_low) / (high - low), value_high > value_low
+    place, value = (low, value_low) if abs(value_low) < abs(value_high) else (high, value_high)
+    while abs(value) > blur:
+        trial = place - value / slope
+        if not low < trial < high:
+            trial = (low + high) / 2
+            if not low < trial < high:
+                break
+        new = function(trial)
+        if (new > 0) == rising:
+            high = trial
+        else:
+            low = trial
+        if abs(new - value) > 1000 * blur:
+            slope = (new - value) / (trial - place)
+        place, value = trial, new
+    return place - value / slope, slope
+
+
+def zeros_between(function, places, values, reach):
+    """The zeros between the places, as Shots."""
+    found = []
+    for k in range(1, len(places)):
+        if (values[k] > 0) != (values[k - 1] > 0):
+            span = places[k - 1], places[k], values[k - 1], values[k]
+            found.append(Shot(smooth_root(function, *span, mpf("1e-14") * reach)))
+    return found
+
+
+def tip_shots(beta, eta, field_angle, length, clamp_angle):
+    """All tips of a short rod, as Shots from the lowest up; None if it is not short, or samples leave a doubt."""
+    slow, square = length * sqrt(beta + eta), length * length
+    if slow > mpf("1.4") * pi:
+        return None
+    beta, eta = beta * square, eta * square
+    clamp = less_quarters(clamp_angle, 4 * floor(clamp_angle / (2 * pi) + 0.5))
+    if abs(beta * sin(clamp) + eta / 2 * sin(2 * (clamp - field_angle))) < mpf("1e-09"):
+        return None
+
+    def missed(offset):
+        return miss_of(beta, eta, field_angle, clamp, offset)
+
+    # θ″ is nowhere more than β + η/2, and no motion is wider than a turn.
+    reach = (1 + mpf("0.001")) * min((beta + eta / 2) / 2, 2 * pi)
+    samples = samples_apart(missed, reach, shot_bend(beta, eta, (exp(slow / 2) - exp(-slow / 2)) ** 2 / 2) / 2)
+    return None if samples is None else zeros_between(missed, samples[0], samples[1], reach)
+
+
+def mirror_shots(shots):
+    """The tips of the rod seen from the other side of the y axis."""
+    return [Shot((-shot.offset, shot.rate)) for shot in shots[::-1]]
+
+
+class Delay(Record):
+    """By how much a motion lasts longer when the place goes deeper by one, where that is all that changes.
+
+    Near an end the rod is straight for long along the directions at which the motion nearly rests: at the tip, in the
+    middle, and at the far turning point. arrival: the share of ``middle`` before the first arrival.
     """
 
     __slots__ = ()
 
-    eta: mpf
-    scene: Landscape
-    at: tuple[mpf, ...]
-    drop: mpf
-    level: mpf
-    depth: mpf
-    by_hill: bool
-    height: mpf
+    deepest: mpf
+    tip: mpf
+    middle: mpf
+    far: mpf
+    arrival: mpf
 
 
-def level_ground(eta, scene, at):
-    """The ground without a ridge lower than the hill."""
-    return Ground((eta, scene, at, 0, 0, 0, True, 0))
+class Basin(Record):
+    """What stops the rod and what it swings about: the hill that tips come from and the well below them, the hill
+    that stops the motion and the last well before it, and the direction where it is slowest between its ends: the
+    ridge that it passes, or the well.
+
+    far_rise: V(far) − V(hill). even: the motion is symmetric about its middle. whole: far is the hill a turn on.
+    shoulder, moment: of a landscape in which a ridge is nearly there; lean: see ``shoulders.level_lean``.
+    """
+
+    __slots__ = ()
+
+    hill: Rest
+    well: Rest
+    far: Rest
+    far_well: Rest
+    axis: Rest
+    far_rise: mpf
+    passes: bool
+    even: bool
+    whole: bool
+    shoulder: Rest | None
+    moment: mpf
+    lean: mpf
 
 
-def ridge_fall(beta, eta, field_angle, hill, ridge):
-    """V(hill) − V(ridge): the sine of half their distance times the slope of V between, as if it were a circle."""
-    half, middle = (ridge.extra - hill.extra) / 2, pi / 2 + (hill.extra + ridge.extra) / 2
-    return cos(half) * (2 * beta * sin(middle) - eta * sin(half) * sin(2 * (middle - field_angle)))
+class Piece(Record):
+    """Tip angles from low to low + width in a basin; angles as differences, told without loss.
+
+    low_kind: 'hill', or 'level', where V is that of the ridge. high_kind: 'clamp', the clamp angle itself; 'turn', the
+    angle from which the rod turns back at the clamp angle; 'level'.
+    """
+
+    __slots__ = ()
+
+    basin: Basin
+    low_kind: str
+    high_kind: str
+    low_offset: mpf  # low − hill
+    width: mpf
+    high_depth: mpf  # well − high
+    clamp_gap: mpf  # clamp − high
+    level_gap: mpf  # the angle at the level of the ridge − high, of a motion that passes it
+    clamp_rest: Rest  # the direction next to the clamp
+    clamp_offset: mpf  # clamp − that direction
+    far_gap: mpf  # far − clamp
+    beyond_well: mpf  # clamp − far_well
+    past_hill: mpf  # clamp − hill
+    past_well: mpf  # clamp − well
 
 
-def turn_to(start, end):
-    """The angle from one direction without moment to another, however near they are to each other."""
-    return (end.quarters - start.quarters) * (pi / 2) + (end.extra - start.extra)
+def moment_from_rest(eta, stiffness, double_cosine, double_sine, offset):
+    """θ″ = −V′ at an offset from a direction without moment."""
+    return rest_moment(eta, stiffness, double_cosine, double_sine, sin(offset / 2), cos(offset / 2))
 
 
 def fall_from_rest(eta, stiffness, double_cosine, double_sine, middle, half):
@@ -1342,10 +1538,51 @@ def fall_from_rest(eta, stiffness, double_cosine, double_sine, middle, half):
     )
 
 
+def turn_to(start, end):
+    """The angle from one direction without moment to another, however near they are to each other."""
+    return (end.quarters - start.quarters) * (pi / 2) + (end.extra - start.extra)
+
+
+def within(sine):
+    """A sine that rounding may have brought beyond 1."""
+    return pick(sine < 1, sine, 1)
+
+
+def parallel_side(beta, eta, piece, rise, drop, from_hill, depth):
+    """``far_side`` within a well for a field along the force: the cosines of the turning points add up to −2β/η."""
+    basin = piece.basin
+    if piece.low_kind == "level":
+        low, high = sin(rise / 2) * sin(piece.low_offset + rise / 2), beta / eta + cos(from_hill / 2) ** 2
+    else:
+        low = sin(rise / 2) ** 2
+        low, high = beta / eta + low, (eta - beta) / eta - low
+    # sin² and cos² of half the distance from the far turning point to the far hill.
+    low, high = sqrt(larger(low, 0)), sqrt(larger(high, 0))
+    distance = 2 * atan2(low, high)
+    down = turn_to(basin.far_well, basin.far)
+    dip = sin(from_hill + depth / 2) * sin(depth / 2)
+    up = 2 * asin(within(dip / sin((down + distance) / 2)))
+    if piece.high_kind == "turn":
+        share = sin(from_hill + drop / 2) * sin(drop / 2) / sin((piece.far_gap + distance) / 2)
+        # The clamp's own distance from the hill is exact, the range's width is not.
+        rough = piece.far_gap - distance
+        left = pick(rough > 0.25 * piece.far_gap, rough, 2 * asin(within(share)))
+    else:
+        left = up + piece.high_depth
+    return (up + depth) / 2, left, 4 * eta * dip * low * high, distance
+
+
 def fall(eta, rest, start, change):
     """V(start) − V(start + change), from a start measured from a direction without moment."""
     half = change / 2
     return fall_from_rest(eta, rest.stiffness, rest.double_cosine, rest.double_sine, start + half, half)
+
+
+def tip_fall(eta, piece, change, rise, drop):
+    """V(tip) − V(tip + change), for a tip that is told from the low and the high end of its range."""
+    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
+    upper = from_hill < depth
+    return fall(eta, pick_rest(upper, piece.basin.hill, piece.basin.well), pick(upper, from_hill, -depth), change)
 
 
 def step_to(eta, rest, offset, goal):
@@ -1388,170 +1625,19 @@ def reach(eta, rest, amount, most, side):
     return near
 
 
-def ridge_ground(eta, scene, at, drop):
-    """The ground with a lower ridge."""
-    rests = scene.rests
-    down, above = turn_to(rests[0], rests[1]), fall(eta, rests[2], 0, turn_to(rests[2], rests[1]))
-    # Of a ridge that is next to its wells V tells at the hill nothing.
-    by_hill = drop < above
-    rest, amount = pick_rest(by_hill, rests[0], rests[1]), pick(by_hill, drop, above)
-    distance = reach(eta, rest, amount, down, pick(by_hill, 1, -1))
-    level, depth = pick(by_hill, distance, down - distance), pick(by_hill, down - distance, distance)
-    # Near the far hill V says which is higher only by the distance from that hill.
-    height = pick(at[2] < -at[4], fall(eta, rests[2], 0, at[2]), fall(eta, rests[4], 0, at[4]) - drop)
-    return Ground((eta, scene, at, drop, level, depth, by_hill, height))
+def reach_either(eta, hill, well, by_hill, amount, most):
+    """``reach`` down from the hill, or up from the well, whichever is asked for."""
+    rest = hill._replace(
+        stiffness=pick(by_hill, hill.stiffness, well.stiffness),
+        double_cosine=pick(by_hill, hill.double_cosine, well.double_cosine),
+        double_sine=pick(by_hill, hill.double_sine, well.double_sine),
+    )
+    return reach(eta, rest, amount, most, pick(by_hill, -1, 1))
 
 
-def ground_of(beta, eta, field_angle, scene, clamp):
-    """The ground of a rod."""
-    rests, at = scene.rests, clamp.offsets
-    if len(rests) == 3:
-        return level_ground(eta, scene, at)
-    drop = 0 if scene.level else ridge_fall(beta, eta, field_angle, rests[0], rests[2])
-    # A ridge lower by less than this would be passed only from within its square root of the hill.
-    if drop <= epsilon() ** 17 * (beta + eta):
-        return level_ground(eta, scene._replace(level=True, even=True), at)
-    return ridge_ground(eta, scene, at, drop)
-
-
-def in_basin(at, first, inside, builders):
-    """The range of a clamp inside a basin: one before the well and at it, another beyond."""
-    return [(inside & (at[first + 1] <= 0), builders[0]), (inside & (at[first + 1] > 0), builders[1])]
-
-
-class Basin(Record):
-    """What stops the rod and what it swings about: the hill that tips come from and the well below them, the hill
-    that stops the motion and the last well before it, and the direction where it is slowest between its ends: the
-    ridge that it passes, or the well.
-
-    far_rise: V(far) − V(hill). even: the motion is symmetric about its middle. whole: far is the hill a turn on.
-    shoulder, moment: of a landscape in which a ridge is nearly there.
-    """
-
-    __slots__ = ()
-
-    hill: Rest
-    well: Rest
-    far: Rest
-    far_well: Rest
-    axis: Rest
-    far_rise: mpf
-    passes: bool
-    even: bool
-    whole: bool
-    shoulder: Rest | None
-    moment: mpf
-
-
-class Piece(Record):
-    """Tip angles from low to low + width in a basin; angles as differences, told without loss.
-
-    low_kind: 'hill', or 'level', where V is that of the ridge. high_kind: 'clamp', the clamp angle itself; 'turn', the
-    angle from which the rod turns back at the clamp angle; 'level'.
-    """
-
-    __slots__ = ()
-
-    basin: Basin
-    low_kind: str
-    high_kind: str
-    low_offset: mpf  # low − hill
-    width: mpf
-    high_depth: mpf  # well − high
-    clamp_gap: mpf  # clamp − high
-    level_gap: mpf  # the angle at the level of the ridge − high, of a motion that passes it
-    clamp_rest: Rest  # the direction next to the clamp
-    clamp_offset: mpf  # clamp − that direction
-    far_gap: mpf  # far − clamp
-    beyond_well: mpf  # clamp − far_well
-    past_hill: mpf  # clamp − hill
-    past_well: mpf  # clamp − well
-
-
-def piece_of(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, at):
-    """The record of a range."""
-    rests = (basin.hill, basin.well, basin.axis, basin.far_well, basin.far) if basin.passes else basin[:3]
-    rest, offset = rests[0], at[0]
-    for other, distance in zip(rests[1:], at[1:], strict=False):
-        closer = abs(distance) < abs(offset)
-        if any_of(closer):
-            rest, offset = pick_rest(closer, other, rest), pick(closer, distance, offset)
-    beyond, last = at[len(rests) - 2 : len(rests)]
-    ends = low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap
-    return Piece((basin, *ends, rest, offset, -last, beyond, at[0], at[1]))
-
-
-def from_hill_to_clamp(basin, at):
-    """From a hill to a clamp before the well."""
-    return piece_of(basin, "hill", "clamp", 0, at[0], -at[1], 0, 0, at)
-
-
-def basin_of(ground, first):
-    """The basin between two neighbouring hills."""
-    scene = ground.scene
-    hill, well, far = scene.rests[first : first + 3]
-    whole = len(scene.rests) == 3
-    even = scene.even and (scene.level or whole)
-    rise, beside = ground.drop if first else 0, (scene.shoulder, scene.moment)
-    return Basin((hill, well, far, well, well, rise, False, even, whole, *beside))
-
-
-def first_clamp(ground):
-    """From the first hill to the clamp."""
-    return from_hill_to_clamp(basin_of(ground, 0), ground.at[:3])
-
-
-def from_hill_to_turn(eta, basin, at):
-    """From a hill to where the rod turns back at a clamp beyond the well."""
-    down, depth = turn_to(basin.hill, basin.well), at[1]
-    width = -at[2]
-    if not basin.even:
-        above = -fall(eta, basin.well, 0, at[1])
-        below = fall(eta, basin.far, 0, at[2]) - basin.far_rise
-        from_top = reach(eta, basin.hill, larger(below, 0), down, 1)
-        from_well = reach(eta, basin.well, above, down, -1)
-        depth = pick(below < above, down - from_top, from_well)
-        width = pick(below < above, from_top, down - from_well)
-    return piece_of(basin, "hill", "turn", 0, width, depth, depth + at[1], 0, at)
-
-
-def first_turn(ground):
-    """From the first hill to where the rod turns back at the clamp."""
-    return from_hill_to_turn(ground.eta, basin_of(ground, 0), ground.at[:3])
-
-
-def last_clamp(ground):
-    """From the second hill to the clamp."""
-    return from_hill_to_clamp(basin_of(ground, 2), ground.at[2:])
-
-
-def last_turn(ground):
-    """From the second hill to where the rod turns back at the clamp."""
-    return from_hill_to_turn(ground.eta, basin_of(ground, 2), ground.at[2:])
-
-
-def over_ridge(ground):
-    """What stops a motion that passes the ridge."""
-    hill, well, ridge, second, far = ground.scene.rests
-    return Basin((hill, well, far, second, ridge, 0, True, ground.scene.even, True, None, 0.0))
-
-
-def pass_clamp(ground):
-    """From the highest hill to a clamp above the level of the ridge."""
-    at = ground.at
-    return piece_of(over_ridge(ground), "hill", "clamp", 0, at[0], -at[1], 0, ground.level - at[0], at)
-
-
-def pass_level(ground):
-    """From the highest hill to the level of the ridge."""
-    level, depth, at = ground.level, ground.depth, ground.at
-    gap = pick(ground.by_hill, at[0] - level, at[1] + depth)
-    return piece_of(over_ridge(ground), "hill", "level", 0, level, depth, gap, 0, at)
-
-
-def moment_from_rest(eta, stiffness, double_cosine, double_sine, offset):
-    """θ″ = −V′ at an offset from a direction without moment."""
-    return rest_moment(eta, stiffness, double_cosine, double_sine, sin(offset / 2), cos(offset / 2))
+def clamp_beyond(piece):
+    """Clamp less shoulder."""
+    return piece.beyond_well - turn_to(piece.basin.far_well, piece.basin.shoulder)
 
 
 def slope(eta, rest, offset):
@@ -1580,157 +1666,89 @@ def onward(eta, rest, start, amount, rough, wanted, moment=0):
     return distance
 
 
-def pass_turn(ground):
-    """From the highest hill to where the rod turns back at a clamp above the level of the ridge, beyond it."""
-    eta, over, level, at = ground.eta, over_ridge(ground), ground.level, ground.at
-    down, below = turn_to(over.hill, over.well), fall(eta, over.far, 0, at[4])
-    # V of the clamp above the first well: above the ridge, and the ridge above the well.
-    above = fall(eta, over.axis, 0, turn_to(over.axis, over.well)) - ground.height
-    by_hill = below < above
-    rest, amount = pick_rest(by_hill, over.hill, over.well), pick(by_hill, below, above)
-    distance = reach(eta, rest, amount, down, pick(by_hill, 1, -1))
-    width, depth = pick(by_hill, distance, down - distance), pick(by_hill, down - distance, distance)
-    if over.even:
-        width = -at[4]
-    # Towards the hill V is flat and tells little, but there the angles tell all.
-    near, apart = width >= level / 2, pick(by_hill, level - width, depth - ground.depth)
-    start = pick(ground.by_hill, level, -ground.depth)
-    rest = pick_rest(ground.by_hill, over.hill, over.well)
-    gap = pick(near, -onward(eta, rest, start, ground.height, -apart, near), apart)
-    return piece_of(over, "hill", "turn", 0, width, depth, pick(by_hill, at[0] - width, at[1] + depth), gap, at)
+def beyond_shoulder(eta, basin, gap, rough):
+    """How far from the shoulder V is above it by ``gap``, or below it by −gap; rough: the same where it is far."""
+    size, moment = abs(gap), abs(basin.moment)
+    # Near the shoulder θ″ = moment + bend·x²/2.
+    bend = abs(basin.moment + 1.5 * eta * basin.shoulder.double_sine)
+    near = (6 * size / bend) ** (mpf(1) / 3)
+    near = near if near * moment < size else size / moment
+    near = near if gap > 0 else -near
+    return onward(eta, basin.shoulder, 0, -gap, near if abs(near) < 0.5 else rough, True, basin.moment)
 
 
-def level_clamp(ground):
-    """From the level of the ridge to the clamp."""
-    level, at = ground.level, ground.at
-    return piece_of(basin_of(ground, 0), "level", "clamp", level, at[0] - level, -at[1], 0, 0, at)
+def further(eta, rest, start, amount, rough, far, moment=0):
+    """How far beyond ``start`` V has risen by ``amount``: ``onward`` where the rough value is not told well enough."""
+    better = onward(eta, rest, start, -amount, rough, far == 0, moment)
+    # Newton's method leaves a place where V is nearly level for one far away.
+    return pick(far | (abs(better - rough) > mpf("0.01")), rough, better)
 
 
-def level_turn(ground):
-    """From the level of the ridge to where the rod turns back at the clamp, before the ridge."""
-    eta, basin, level, at = ground.eta, basin_of(ground, 0), ground.level, ground.at
-    down = turn_to(basin.hill, basin.well)
-    above, below = -fall(eta, basin.well, 0, at[1]), fall(eta, basin.far, 0, at[2])
-    from_well = reach(eta, basin.well, above, down, -1)
-    # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
-    from_hill = reach(eta, basin.hill, ground.drop + below, down, 1)
-    near = onward(eta, basin.hill, level, below, from_hill - level, True)
-    width = pick(below < above / 4, near, down - level - from_well)
-    return piece_of(basin, "level", "turn", level, width, from_well, from_well + at[1], 0, at)
+def past_clamp(eta, piece, amount, rough):
+    """``motion.beyond_clamp``, from the shoulder if that is nearer to the clamp than a hill or a well."""
+    offset, apart = piece.clamp_offset, clamp_beyond(piece)
+    if 2 * abs(apart) < abs(offset):
+        basin = piece.basin
+        return further(eta, basin.shoulder, apart, amount, rough, rough > 0.5 * abs(offset), basin.moment)
+    return further(eta, piece.clamp_rest, offset, amount, rough, rough > 0.25 * abs(offset))
 
 
-def ranges(ground):
-    """Every range that a landscape of this kind can have: whether the rod has it, and its builder. From low to high."""
-    at = ground.at
-    if len(at) == 3:
-        return in_basin(at, 0, at[0] > 0, (first_clamp, first_turn))
-    if ground.scene.level:
-        first = in_basin(at, 0, (at[0] > 0) & (at[2] < 0), (first_clamp, first_turn))
-        return first + in_basin(at, 2, at[2] > 0, (last_clamp, last_turn))
-    before, above = at[2] <= 0, at[0] <= ground.level
-    last = (at[2] > 0) & (ground.height > 0)
-    return [
-        (before & above & (at[0] > 0), pass_clamp),
-        ((before & (at[0] > ground.level)) | last, pass_level),
-        ((at[2] > 0) & (ground.height <= 0), pass_turn),
-        *in_basin(at, 0, (at[0] > ground.level) & (at[2] < 0), (level_clamp, level_turn)),
-        *in_basin(at, 2, last, (last_clamp, last_turn)),
-    ]
+def shoulder_moment(eta, basin, offset):
+    """θ″ at an offset from the shoulder."""
+    return basin.moment * cos(offset) + slope(eta, basin.shoulder, offset)
 
 
-def pieces(beta, eta, field_angle, scene, clamp):
-    """All ranges of tip angles below the clamp angle."""
-    ground = ground_of(beta, eta, field_angle, scene, clamp)
-    return [build(ground) for here, build in ranges(ground) if here]
+class Turn(Record):
+    """A far turning point beside a shoulder: what a motion is told by where V is all but level there.
 
-
-def slowness(hill):
-    """Length per unit of the logarithm of the distance from a hill; a flat one is never come near enough to count."""
-    return 1 / sqrt(hill.stiffness) if hill.stiffness > 0 else 0
-
-
-class Delay(Record):
-    """By how much a motion lasts longer when the place goes deeper by one, where that is all that changes.
-
-    Near an end the rod is straight for long along the directions at which the motion nearly rests: at the tip, in the
-    middle, and at the far turning point. arrival: the share of ``middle`` before the first arrival.
+    lean: from the field to the turning point, less a half of half the width, but for half turns; it is zero where three
+    of the four directions at which V is that of the tip are one. stiffness: dθ″/dθ there.
     """
 
     __slots__ = ()
 
-    deepest: mpf
-    tip: mpf
-    middle: mpf
-    far: mpf
-    arrival: mpf
+    lean: mpf
+    stiffness: mpf
 
 
-def ridge_offset(piece):
-    """Clamp less ridge, for a motion that passes the ridge."""
-    ridge, rest = piece.basin.axis, piece.clamp_rest
-    return piece.clamp_offset if rest.angle == ridge.angle else turn_to(ridge, rest)
-
-
-def delays(piece):
-    """The delays at both ends, beyond the depth at which squares of offsets would underflow."""
-    basin, depth = piece.basin, deepest(piece.width)
-    if basin.hill.stiffness < epsilon() ** 8:  # so flat that the moment is as the cube of the offset
-        depth = 2 * depth / 3
-    # With next to no moment at the clamp a rod is straight but for an offset whose square would underflow.
-    straight = piece.high_kind == "clamp" and abs(piece.clamp_offset) < epsilon() ** 5
-    far, none = slowness(basin.far), Delay((2 * depth if straight else depth, 0, 0, 0, 0))
-    if piece.low_kind == "level":
-        return Delay((depth, 0, 0, far / 2, 0)), none
-    low = Delay((depth, slowness(basin.hill), 0, far if basin.far_rise == 0 else 0, 0))
-    if piece.high_kind != "level":
-        return low, none
-    ridge = slowness(basin.axis)
-    behind = ridge_offset(piece)
-    return low, Delay((depth, 0, ridge, 0, ridge if behind > 0 else ridge / 2 if behind == 0 else 0))
-
-
-def within(sine):
-    """A sine that rounding may have brought beyond 1."""
-    return pick(sine < 1, sine, 1)
-
-
-def parallel_side(beta, eta, piece, rise, drop, from_hill, depth):
-    """``far_side`` within a well for a field along the force: the cosines of the turning points add up to −2β/η."""
+def turn_beside(eta, piece, rise, drop, turn):
+    """A turning point at this angle from the shoulder."""
     basin = piece.basin
-    if piece.low_kind == "level":
-        low, high = sin(rise / 2) * sin(piece.low_offset + rise / 2), beta / eta + cos(from_hill / 2) ** 2
+    rest = basin.shoulder
+    lean = basin.lean + (3 * turn + (rise if piece.low_kind == "shoulder" else -drop)) / 4
+    sine, cosine = sin(turn), cos(turn)
+    bent = 2 * rest.double_cosine * sin(1.5 * turn) * sin(turn / 2) + rest.double_sine * sine * (2 * cosine - 0.5)
+    return Turn((lean, rest.stiffness * cosine - basin.moment * sine - eta * bent))
+
+
+def shoulder_side(eta, piece, rise, drop, done, left, by_hill, distance):
+    """``motion.far_side`` where a ridge is nearly there: V may be so nearly level about its shoulder that only the
+    level of the shoulder, or of the clamp, tells where the motion turns.
+
+    left, distance: how far beyond the clamp, and from the hill or the well there, as far as V from those tells it.
+    """
+    basin, clamp = piece.basin, clamp_beyond(piece)
+    beside = distance if by_hill else piece.beyond_well + left
+    turn = clamp + left  # far turning point − shoulder
+    near = 2 * abs(turn) < beside
+    if near and "shoulder" in (piece.low_kind, piece.high_kind):
+        change = -rise if piece.low_kind == "shoulder" else drop
+        turn = beyond_shoulder(eta, basin, tip_fall(eta, piece, change, rise, drop), turn)
+        left = turn - clamp
+    # From the nearer of the two levels at which the range ends.
+    if piece.high_kind == "turn" and (piece.low_kind != "shoulder" or 2 * left <= abs(clamp)):
+        left = max(past_clamp(eta, piece, tip_fall(eta, piece, drop, rise, drop), left), 0)
+        turn = clamp + left
+    if near:
+        moment = shoulder_moment(eta, basin, turn)
     else:
-        low = sin(rise / 2) ** 2
-        low, high = beta / eta + low, (eta - beta) / eta - low
-    # sin² and cos² of half the distance from the far turning point to the far hill.
-    low, high = sqrt(larger(low, 0)), sqrt(larger(high, 0))
-    distance = 2 * atan2(low, high)
-    down = turn_to(basin.far_well, basin.far)
-    dip = sin(from_hill + depth / 2) * sin(depth / 2)
-    up = 2 * asin(within(dip / sin((down + distance) / 2)))
-    if piece.high_kind == "turn":
-        share = sin(from_hill + drop / 2) * sin(drop / 2) / sin((piece.far_gap + distance) / 2)
-        # The clamp's own distance from the hill is exact, the range's width is not.
-        rough = piece.far_gap - distance
-        left = pick(rough > 0.25 * piece.far_gap, rough, 2 * asin(within(share)))
-    else:
-        left = up + piece.high_depth
-    return (up + depth) / 2, left, 4 * eta * dip * low * high, distance
-
-
-def reach_either(eta, hill, well, by_hill, amount, most):
-    """``reach`` down from the hill, or up from the well, whichever is asked for."""
-    rest = hill._replace(
-        stiffness=pick(by_hill, hill.stiffness, well.stiffness),
-        double_cosine=pick(by_hill, hill.double_cosine, well.double_cosine),
-        double_sine=pick(by_hill, hill.double_sine, well.double_sine),
-    )
-    return reach(eta, rest, amount, most, pick(by_hill, -1, 1))
-
-
-def wrapped(angle):
-    """The angle less whole turns, between −π and π."""
-    return angle - 2 * pi * floor(angle / (2 * pi) + 0.5)
+        well_offset = piece.beyond_well + left
+        moment = slope(eta, basin.far, -distance) if by_hill else slope(eta, basin.far_well, well_offset)
+        moment = min(moment, -4 * epsilon() * beside)
+    far_distance = distance if by_hill and not near else piece.far_gap - left
+    divided = near and "shoulder" in (piece.low_kind, piece.high_kind)
+    there = turn_beside(eta, piece, rise, drop, turn) if divided else None
+    return (done + left) / 2, left, -moment, far_distance, there
 
 
 def beyond_clamp(eta, piece, rise, drop, rough):
@@ -1739,28 +1757,9 @@ def beyond_clamp(eta, piece, rise, drop, rough):
     V falls by the same amount on both sides. The rough value is as good as its difference to the clamp's distance
     from a hill or a well allows.
     """
-    basin, rest, start, moment = piece.basin, piece.clamp_rest, piece.clamp_offset, 0
-    from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
-    upper = from_hill < depth
-    amount = fall(eta, pick_rest(upper, basin.hill, basin.well), pick(upper, from_hill, -depth), drop)
-    far = rough > 0.25 * abs(start)
-    if basin.shoulder is not None:
-        apart = wrapped(rest.angle + start - basin.shoulder.angle)
-        near = 2 * abs(apart) < abs(start)
-        rest, start = pick_rest(near, basin.shoulder, rest), pick(near, apart, start)
-        moment, far = pick(near, basin.moment, 0), pick(near, rough > 0.25, far)
-    better = onward(eta, rest, start, -amount, rough, far == 0, moment)
-    # Newton's method leaves a place where V is nearly level for one far away.
-    return pick(far | (abs(better - rough) > mpf("0.01")), rough, better)
-
-
-def beside_shoulder(eta, basin, angle, offset, moment):
-    """θ″ at an angle, by the shoulder of V if that is nearer than the direction by whose offset it was told."""
-    if basin.shoulder is None:
-        return moment
-    apart = wrapped(angle - basin.shoulder.angle)
-    told = basin.moment * cos(apart) + slope(eta, basin.shoulder, apart)
-    return pick(2 * abs(apart) < abs(offset), told, moment)
+    far = rough > 0.25 * abs(piece.clamp_offset)
+    amount = tip_fall(eta, piece, drop, rise, drop)
+    return further(eta, piece.clamp_rest, piece.clamp_offset, amount, rough, far)
 
 
 def least_moment(basin):
@@ -1769,15 +1768,16 @@ def least_moment(basin):
     return epsilon() ** 2 if basin.passes or not basin.whole else 4 * epsilon()
 
 
-def far_side(eta, piece, rise, drop, depth, done, height):
-    """Half the width of the motion, how far it goes on beyond the clamp, and the moment where it turns."""
+def far_side(eta, field_angle, piece, rise, drop, depth, done, height):
+    """Half the width of the motion, how far it goes on beyond the clamp, the moment where it turns, how far that is
+    from the far hill, and what a shoulder tells."""
     basin = piece.basin
     hill, well, far, far_well = basin.hill, basin.well, basin.far, basin.far_well
     down = turn_to(far_well, far)
     if piece.low_kind == "level":
-        below = fall(eta, hill, piece.low_offset, rise)
+        below = -tip_fall(eta, piece, -rise, rise, drop)
     else:
-        below = basin.far_rise + fall(eta, hill, 0, rise)
+        below = basin.far_rise + fall(eta, hill, 0, piece.low_offset + rise)
     if basin.passes:
         # Above the ridge by its height, and the ridge above the well behind it.
         above = height + fall(eta, basin.axis, 0, turn_to(basin.axis, far_well))
@@ -1787,19 +1787,23 @@ def far_side(eta, piece, rise, drop, depth, done, height):
     distance = reach_either(eta, far, far_well, by_hill, pick(by_hill, below, above), down)
     turn = pick(by_hill, down - distance, distance)  # far turning point − far_well
     left = pick(by_hill, piece.far_gap - distance, distance - piece.beyond_well)
+    if basin.shoulder is not None and any_of(field_angle != 0) and any_of(field_angle != pi / 2):
+        return shoulder_side(eta, piece, rise, drop, done, left, by_hill, distance)
     if piece.high_kind == "turn":
         left = larger(beyond_clamp(eta, piece, rise, drop, left), 0)
-    if basin.shoulder is not None:
-        # V may be so nearly level there that only from the clamp is it told where the motion turns.
-        turn, half_width = piece.beyond_well + left, (done + left) / 2
-    elif basin.passes:
+    if basin.passes:
         half_width = (turn + depth + turn_to(well, far_well)) / 2
     else:
         half_width = (turn + depth) / 2
     far_moment = pick(by_hill, slope(eta, far, -distance), slope(eta, far_well, distance)) * -1
-    far_moment = -beside_shoulder(eta, basin, far_well.angle + turn, distance, -far_moment)
     far_moment = larger(far_moment, least_moment(basin) * distance)
-    return half_width, left, far_moment, pick(by_hill, distance, down - distance)
+    return half_width, left, far_moment, pick(by_hill, distance, down - distance), None
+
+
+def beside_shoulder(eta, basin, from_hill, offset, moment):
+    """θ″ at the tip, by the shoulder if that is nearer than the hill or well by whose offset it was told."""
+    apart = from_hill - turn_to(basin.hill, basin.shoulder)
+    return shoulder_moment(eta, basin, apart) if 2 * abs(apart) < abs(offset) else moment
 
 
 def unevenness(eta, field_angle, middle, sine, near, far):
@@ -1807,6 +1811,11 @@ def unevenness(eta, field_angle, middle, sine, near, far):
     by_turns = 2 * eta * sin(2 * (middle - field_angle)) * sine / (sqrt(near) + sqrt(far))
     apart = (8 * near < far) | (8 * far < near) | (near + far < 2 * eta * sine)
     return pick(apart, sqrt(far) - sqrt(near), by_turns)
+
+
+def wrapped(angle):
+    """The angle less whole turns, between −π and π."""
+    return angle - 2 * pi * floor(angle / (2 * pi) + 0.5)
 
 
 def above_field(eta, basin, offset, turn, height):
@@ -1820,11 +1829,13 @@ def above_field(eta, basin, offset, turn, height):
     return (height + fall(eta, basin.axis, 0, offset)) / pick(turn == 0, 1, turn)
 
 
-def mean_less_field(eta, basin, centre, half_width, near, far, height, mean):
+def mean_less_field(eta, basin, centre, half_width, near, far, height, there, mean):
     """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
     level."""
     apart = mean - eta
     close = apart <= mpf("0.1") * eta
+    if there is not None:
+        return larger(pick(close, far - 2 * eta * sin(there.lean) * sin(there.lean), apart), epsilon() * far / 4)
     if any_of(close):
         # 2(axis − α), and 2(middle − α).
         axis = atan2(basin.axis.double_sine, basin.axis.double_cosine)
@@ -1836,24 +1847,29 @@ def mean_less_field(eta, basin, centre, half_width, near, far, height, mean):
         if any_of(far_off):
             # Not from a well that is far from where V is nearly level: there V tells least.
             told, turn = pick(near < far, by_near, by_far), ahead * behind
-            there = above_field(eta, basin, wrapped(-axis - centre), turn, height)
-            known = pick(far_off, pick(height <= abs(turn) * eta * (abs(ahead) + abs(behind)), there, told), known)
+            above = above_field(eta, basin, wrapped(-axis - centre), turn, height)
+            known = pick(far_off, pick(height <= abs(turn) * eta * (abs(ahead) + abs(behind)), above, told), known)
         apart = pick(close, known, apart)
     # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.
     least = larger(height, epsilon() ** 19) if basin.passes else epsilon() * pick(near < far, near, far) / 4
     return larger(apart, least)
 
 
-def rates(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height):
-    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle."""
+def rates(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, there):
+    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle; there: the
+    far turning point, if it is beside a shoulder."""
     middle, cosine = basin.axis.angle + centre, cos(half_width)
     cos_middle, cos_double = cos(middle), cos(2 * (middle - field_angle))
     product = sqrt(near) * sqrt(far)
     excess = -(2 * beta * cos_middle * cosine + eta * cos_double * (1 + cosine * cosine))
+    if there is not None:
+        # The same: V at the ends of the motion is equal.
+        bent = eta * (1 + 2 * cosine * cosine) * sin(2 * there.lean) * sine
+        excess = far * sine * sine * cosine - 2 * there.stiffness * cosine * cosine - bent
     split, rate = excess < 0, sqrt(product + larger(excess, 0))
     if any_of(split):
         mean = -(2 * beta * cos_middle + eta * cosine * cos_double)
-        apart = mean_less_field(eta, basin, centre, half_width, near, far, height, mean)
+        apart = mean_less_field(eta, basin, centre, half_width, near, far, height, there, mean)
         rate = pick(split, sine * sqrt(apart * (mean + eta) / pick(split, product - excess, 1)), rate)
     return sqrt(product / 2), rate / 2
 
@@ -1877,16 +1893,20 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     # Near the high end the clamp is told from there, else as the tip is: the clamp's own distances are exact.
     done, apart = piece.clamp_gap + drop, pick(upper, piece.past_hill - from_hill, piece.past_well + depth)
     done = pick(done < 0.5 * pick(upper, from_hill, abs(piece.past_well)), done, apart)
+    depth = pick(upper, turn_to(hill, well) - from_hill, depth)
+    there = None
     if basin.even:
-        half_width = depth + turn_to(well, basin.axis)
+        half_width = pick(upper, turn_to(hill, basin.axis) - from_hill, depth + turn_to(well, basin.axis))
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
         far_moment, far_distance = near_moment, from_hill
     elif any_of(field_angle == 0) and not basin.passes:
         half_width, left, far_moment, far_distance = parallel_side(beta, eta, piece, rise, drop, from_hill, depth)
         half_width = (done + left) / 2 if piece.high_kind == "turn" else half_width
     else:
-        half_width, left, far_moment, far_distance = far_side(eta, piece, rise, drop, depth, done, height)
-        near_moment = beside_shoulder(eta, basin, tip, offset, near_moment)
+        side = far_side(eta, field_angle, piece, rise, drop, depth, done, height)
+        half_width, left, far_moment, far_distance, there = side
+        if basin.shoulder is not None:
+            near_moment = beside_shoulder(eta, basin, from_hill, offset, near_moment)
         near_moment = larger(near_moment, least_moment(basin) * abs(offset))
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
     lack = (from_hill + far_distance) / 2 if basin.whole else pi - half_width
@@ -1898,7 +1918,7 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     left_sine = sin(pick(left > pi, lack + done / 2, left / 2))
     half_cosine = sin(lack / 2)
     centre = half_width - depth - turn_to(well, basin.axis)
-    end, middle = rates(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height)
+    end, middle = rates(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, there)
     return Motion(
         (
             tip,
@@ -2005,6 +2025,385 @@ def sample_at(beta, eta, field_angle, piece, ends, place):
     return Sample((place, swing, arrival, stay, phase, regular))
 
 
+def speed_at(motion, phase):
+    """|dθ/dσ| where the motion meets the clamp."""
+    return phase.delta * phase.whole / (motion.end * motion.sine) * sqrt(2 * motion.done_sine * motion.left_sine)
+
+
+def excess(item, turns, sign, length):
+    """The length of a branch less the rod's."""
+    return (2 * turns * item.swing if turns else 0) + sign * item.arrival - length
+
+
+class Crossing(Record):
+    """A tip whose rod has the right length, on branch 2·turns·H + sign·t; ``rising``: the branch grows with the tip."""
+
+    __slots__ = ()
+
+    sample: Sample
+    turns: int
+    sign: int
+    rising: bool
+
+
+def crossing_near(sample, start, rate, length, long):
+    """The crossing near a place by secants; None where there is none. rate: ∂θ(0)/∂place, for a rod of this length.
+
+    long: half-swings may fit the rod.
+    """
+    item, place = sample(start), start
+    back = long and abs(2 * item.swing - item.arrival - length) < abs(item.arrival - length)
+    turns, sign = (1, -1) if back else (0, 1)
+    slope, value = -sign * rate / speed_at(item.stay.motion, item.phase), excess(item, turns, sign, length)
+    rising, blur = slope > 0, WITHIN * epsilon() * length
+    for _ in range(TRIES):
+        step = value / slope
+        if abs(value) <= blur or (abs(step) < epsilon() * (1 + abs(place)) and abs(value) < 8 * blur):
+            return Crossing((item, turns, sign, rising))
+        trial = place - step
+        if not abs(trial - start) < NEAR:
+            return None
+        new = sample(trial)
+        missed = excess(new, turns, sign, length)
+        if 2 * abs(missed) > abs(value) and abs(value) < 8 * blur:  # what is left is rounding
+            return Crossing((new if abs(missed) < abs(value) else item, turns, sign, rising))
+        if abs(step) > epsilon() ** 0.75 * (1 + abs(place)):
+            slope = (missed - value) / (trial - place)
+        item, place, value = new, trial, missed
+    return None
+
+
+def tip_on(beta, eta, field_angle, length, piece, drop, rate, long):
+    """The crossing of a tip below the high end of a range; None where there is none near it.
+
+    rate: ∂θ(0)/∂θ(ℓ) for a rod of this length. long: half-swings may fit the rod.
+    """
+    rise = piece.width - drop
+    place = log(rise / drop)
+    if not abs(place) < DEEP:
+        return None
+    ends = Delay((inf, 0, 0, 0, 0)), Delay((inf, 0, 0, 0, 0))  # no place is so deep
+
+    def sample(there):
+        return sample_at(beta, eta, field_angle, piece, ends, there)
+
+    return crossing_near(sample, place, rate * rise * drop / piece.width, length, long)
+
+
+def hits(beta, eta, field_angle, length, ranges, shots):
+    """All (range, crossing) from Shots below the clamp angle, from the lowest up; None where one is not found."""
+
+    found: list[tuple] = []
+    long = length * sqrt(beta + eta) >= pi
+    for piece in ranges:
+        for shot in shots[len(found) :]:
+            drop = -shot.offset - piece.clamp_gap
+            if not 0 < drop < piece.width:
+                break
+            crossing = tip_on(beta, eta, field_angle, length, piece, drop, shot.rate, long)
+            if crossing is None:
+                return None
+            found.append((piece, crossing))
+        if len(found) == len(shots):
+            return found
+    return None
+
+
+class Ground(Record):
+    """What the ranges of a rod are told by: its landscape and the clamp's offsets from the directions there.
+
+    drop: V(hill) − V(ridge); level: from the hill to the level of the ridge, depth: from there to the well; by_hill:
+    level is told by the hill, depth by the well if not; height: V(ridge) − V(clamp). They are 0 where no ridge is lower
+    than the hill.
+    """
+
+    __slots__ = ()
+
+    eta: mpf
+    scene: Landscape
+    at: tuple[mpf, ...]
+    drop: mpf
+    level: mpf
+    depth: mpf
+    by_hill: bool
+    height: mpf
+
+
+def level_ground(eta, scene, at):
+    """The ground without a ridge lower than the hill."""
+    return Ground((eta, scene, at, 0, 0, 0, True, 0))
+
+
+def ridge_fall(beta, eta, field_angle, hill, ridge):
+    """V(hill) − V(ridge): the sine of half their distance times the slope of V between, as if it were a circle."""
+    half, middle = (ridge.extra - hill.extra) / 2, pi / 2 + (hill.extra + ridge.extra) / 2
+    return cos(half) * (2 * beta * sin(middle) - eta * sin(half) * sin(2 * (middle - field_angle)))
+
+
+def ridge_ground(eta, scene, at, drop):
+    """The ground with a lower ridge."""
+    rests = scene.rests
+    down, above = turn_to(rests[0], rests[1]), fall(eta, rests[2], 0, turn_to(rests[2], rests[1]))
+    # Of a ridge that is next to its wells V tells at the hill nothing.
+    by_hill = drop < above
+    rest, amount = pick_rest(by_hill, rests[0], rests[1]), pick(by_hill, drop, above)
+    distance = reach(eta, rest, amount, down, pick(by_hill, 1, -1))
+    level, depth = pick(by_hill, distance, down - distance), pick(by_hill, down - distance, distance)
+    # Near the far hill V says which is higher only by the distance from that hill.
+    height = pick(at[2] < -at[4], fall(eta, rests[2], 0, at[2]), fall(eta, rests[4], 0, at[4]) - drop)
+    return Ground((eta, scene, at, drop, level, depth, by_hill, height))
+
+
+def ground_of(beta, eta, field_angle, scene, clamp):
+    """The ground of a rod."""
+    rests, at = scene.rests, clamp.offsets
+    if len(rests) == 3:
+        return level_ground(eta, scene, at)
+    drop = 0 if scene.level else ridge_fall(beta, eta, field_angle, rests[0], rests[2])
+    # A ridge lower by less than this would be passed only from within its square root of the hill.
+    if drop <= epsilon() ** 17 * (beta + eta):
+        return level_ground(eta, scene._replace(level=True, even=True), at)
+    return ridge_ground(eta, scene, at, drop)
+
+
+def in_basin(at, first, inside, builders):
+    """The range of a clamp inside a basin: one before the well and at it, another beyond."""
+    return [(inside & (at[first + 1] <= 0), builders[0]), (inside & (at[first + 1] > 0), builders[1])]
+
+
+def piece_of(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, at):
+    """The record of a range."""
+    rests = (basin.hill, basin.well, basin.axis, basin.far_well, basin.far) if basin.passes else basin[:3]
+    rest, offset = rests[0], at[0]
+    for other, distance in zip(rests[1:], at[1:], strict=False):
+        closer = abs(distance) < abs(offset)
+        if any_of(closer):
+            rest, offset = pick_rest(closer, other, rest), pick(closer, distance, offset)
+    beyond, last = at[len(rests) - 2 : len(rests)]
+    ends = low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap
+    return Piece((basin, *ends, rest, offset, -last, beyond, at[0], at[1]))
+
+
+def from_hill_to_clamp(basin, at):
+    """From a hill to a clamp before the well."""
+    return piece_of(basin, "hill", "clamp", 0, at[0], -at[1], 0, 0, at)
+
+
+def basin_of(ground, first):
+    """The basin between two neighbouring hills."""
+    scene = ground.scene
+    hill, well, far = scene.rests[first : first + 3]
+    whole = len(scene.rests) == 3
+    even = scene.even and (scene.level or whole)
+    rise, beside = ground.drop if first else 0, (scene.shoulder, scene.moment, 0.0)
+    return Basin((hill, well, far, well, well, rise, False, even, whole, *beside))
+
+
+def first_clamp(ground):
+    """From the first hill to the clamp."""
+    return from_hill_to_clamp(basin_of(ground, 0), ground.at[:3])
+
+
+def from_hill_to_turn(eta, basin, at):
+    """From a hill to where the rod turns back at a clamp beyond the well."""
+    down, depth = turn_to(basin.hill, basin.well), at[1]
+    width = -at[2]
+    if not basin.even:
+        above = -fall(eta, basin.well, 0, at[1])
+        below = fall(eta, basin.far, 0, at[2]) - basin.far_rise
+        from_top = reach(eta, basin.hill, larger(below, 0), down, 1)
+        from_well = reach(eta, basin.well, above, down, -1)
+        depth = pick(below < above, down - from_top, from_well)
+        width = pick(below < above, from_top, down - from_well)
+    return piece_of(basin, "hill", "turn", 0, width, depth, depth + at[1], 0, at)
+
+
+def first_turn(ground):
+    """From the first hill to where the rod turns back at the clamp."""
+    return from_hill_to_turn(ground.eta, basin_of(ground, 0), ground.at[:3])
+
+
+def last_clamp(ground):
+    """From the second hill to the clamp."""
+    return from_hill_to_clamp(basin_of(ground, 2), ground.at[2:])
+
+
+def last_turn(ground):
+    """From the second hill to where the rod turns back at the clamp."""
+    return from_hill_to_turn(ground.eta, basin_of(ground, 2), ground.at[2:])
+
+
+def over_ridge(ground):
+    """What stops a motion that passes the ridge."""
+    hill, well, ridge, second, far = ground.scene.rests
+    return Basin((hill, well, far, second, ridge, 0, True, ground.scene.even, True, None, 0.0, 0.0))
+
+
+def pass_clamp(ground):
+    """From the highest hill to a clamp above the level of the ridge."""
+    at = ground.at
+    return piece_of(over_ridge(ground), "hill", "clamp", 0, at[0], -at[1], 0, ground.level - at[0], at)
+
+
+def pass_level(ground):
+    """From the highest hill to the level of the ridge."""
+    level, depth, at = ground.level, ground.depth, ground.at
+    gap = pick(ground.by_hill, at[0] - level, at[1] + depth)
+    return piece_of(over_ridge(ground), "hill", "level", 0, level, depth, gap, 0, at)
+
+
+def pass_turn(ground):
+    """From the highest hill to where the rod turns back at a clamp above the level of the ridge, beyond it."""
+    eta, over, level, at = ground.eta, over_ridge(ground), ground.level, ground.at
+    down, below = turn_to(over.hill, over.well), fall(eta, over.far, 0, at[4])
+    # V of the clamp above the first well: above the ridge, and the ridge above the well.
+    above = fall(eta, over.axis, 0, turn_to(over.axis, over.well)) - ground.height
+    by_hill = below < above
+    rest, amount = pick_rest(by_hill, over.hill, over.well), pick(by_hill, below, above)
+    distance = reach(eta, rest, amount, down, pick(by_hill, 1, -1))
+    width, depth = pick(by_hill, distance, down - distance), pick(by_hill, down - distance, distance)
+    if over.even:
+        width = -at[4]
+    # Towards the hill V is flat and tells little, but there the angles tell all.
+    near, apart = width >= level / 2, pick(by_hill, level - width, depth - ground.depth)
+    start = pick(ground.by_hill, level, -ground.depth)
+    rest = pick_rest(ground.by_hill, over.hill, over.well)
+    gap = pick(near, -onward(eta, rest, start, ground.height, -apart, near), apart)
+    return piece_of(over, "hill", "turn", 0, width, depth, pick(by_hill, at[0] - width, at[1] + depth), gap, at)
+
+
+def level_clamp(ground):
+    """From the level of the ridge to the clamp."""
+    level, at = ground.level, ground.at
+    return piece_of(basin_of(ground, 0), "level", "clamp", level, at[0] - level, -at[1], 0, 0, at)
+
+
+def level_turn(ground):
+    """From the level of the ridge to where the rod turns back at the clamp, before the ridge."""
+    eta, basin, level, at = ground.eta, basin_of(ground, 0), ground.level, ground.at
+    down = turn_to(basin.hill, basin.well)
+    above, below = -fall(eta, basin.well, 0, at[1]), fall(eta, basin.far, 0, at[2])
+    from_well = reach(eta, basin.well, above, down, -1)
+    # Towards the well V is flat and tells little, but there the angles tell all; towards the hill only V does.
+    from_hill = reach(eta, basin.hill, ground.drop + below, down, 1)
+    near = onward(eta, basin.hill, level, below, from_hill - level, True)
+    by_level = below < above / 4
+    width, depth = pick(by_level, near, ground.depth - from_well), pick(by_level, ground.depth - near, from_well)
+    return piece_of(basin, "level", "turn", level, width, depth, depth + at[1], 0, at)
+
+
+def ranges(ground):
+    """Every range that a landscape of this kind can have: whether the rod has it, and its builder. From low to high."""
+    at = ground.at
+    if len(at) == 3:
+        return in_basin(at, 0, at[0] > 0, (first_clamp, first_turn))
+    if ground.scene.level:
+        first = in_basin(at, 0, (at[0] > 0) & (at[2] < 0), (first_clamp, first_turn))
+        return first + in_basin(at, 2, at[2] > 0, (last_clamp, last_turn))
+    before, above = at[2] <= 0, at[0] <= ground.level
+    last = (at[2] > 0) & (ground.height > 0)
+    return [
+        (before & above & (at[0] > 0), pass_clamp),
+        ((before & (at[0] > ground.level)) | last, pass_level),
+        ((at[2] > 0) & (ground.height <= 0), pass_turn),
+        *in_basin(at, 0, (at[0] > ground.level) & (at[2] < 0), (level_clamp, level_turn)),
+        *in_basin(at, 2, last, (last_clamp, last_turn)),
+    ]
+
+
+def shoulder_fall(eta, basin, start, change):
+    """V(start) − V(start + change), from a start measured from the shoulder."""
+    half = change / 2
+    return fall(eta, basin.shoulder, start, change) + 2 * basin.moment * cos(start + half) * sin(half)
+
+
+def level_lean(eta, basin, level):
+    """The lean of a motion that turns at the shoulder, from a tip at this offset from the hill.
+
+    From the angles, and by Newton's method from the balance of V at both ends, in which the moment at the shoulder and
+    the stiffness there are factors.
+    """
+    rest, moment = basin.shoulder, basin.moment
+    cosine, sine = rest.double_cosine, rest.double_sine
+    lean = atan2(sine, cosine) / 2 - (turn_to(basin.hill, rest) - level) / 4
+    lean = rough = lean - pi * floor(lean / pi + 0.5)
+    lost, firm = moment * cosine - rest.stiffness * sine, rest.stiffness * cosine + moment * sine - eta * sine * sine
+    for _ in range(3):
+        small, large = sin(2 * lean), cos(2 * lean)
+        share = firm + eta * small * (2 * sine * cosine * large - (1 - 2 * sine * sine) * small)
+        bend = 2 * sine * cosine * (large * large - small * small) - 2 * (1 - 2 * sine * sine) * small * large
+        steep = large * share - small * lost + eta * small * bend
+        lean = lean - (lost * large + small * share) / (2 * steep) if steep != 0 else rough
+    return lean if abs(lean - rough) < 64 * epsilon() else rough
+
+
+def with_shoulder_level(eta, piece):
+    """A range, or the two into which the level of the shoulder divides it where the motion turns about the shoulder."""
+    basin = piece.basin
+    if basin.shoulder is None or turn_to(basin.well, basin.shoulder) <= 0:
+        return [piece]
+    lower, upper = turn_to(basin.shoulder, basin.far), -turn_to(basin.well, basin.shoulder)
+    drop = fall(eta, basin.far, 0, -lower)
+    above = -fall(eta, basin.well, 0, -upper)
+    down = turn_to(basin.hill, basin.well)
+    by_hill = drop < above
+    rest, amount, side = (basin.hill, drop, 1) if by_hill else (basin.well, above, -1)
+    distance = reach(eta, rest, amount, down, side)
+    level = distance if by_hill else down - distance
+    width = piece.width - level
+    if piece.high_kind == "turn":
+        clamp = clamp_beyond(piece)
+        amount = shoulder_fall(eta, basin, 0, clamp)
+        if clamp >= 0 or amount <= 0:
+            return [piece]
+        if 2 * abs(clamp) < piece.beyond_well:
+            width = onward(eta, rest, side * distance, amount, width, True)
+    if width <= 0:
+        return [piece]
+    depth, gap = piece.high_depth + width, piece.clamp_gap + width
+    piece = piece._replace(basin=basin._replace(lean=level_lean(eta, basin, level)))
+    first = piece._replace(high_kind="shoulder", width=level, high_depth=depth, clamp_gap=gap)
+    return [first, piece._replace(low_kind="shoulder", low_offset=level, width=width)]
+
+
+def pieces(beta, eta, field_angle, scene, clamp):
+    """All ranges of tip angles below the clamp angle, from low to high, one after the other as they are asked for."""
+    ground = ground_of(beta, eta, field_angle, scene, clamp)
+    found = (build(ground) for here, build in ranges(ground) if here)
+    if field_angle == 0 or field_angle == pi / 2:
+        return found
+    return (part for piece in found for part in with_shoulder_level(eta, piece))
+
+
+def slowness(hill):
+    """Length per unit of the logarithm of the distance from a hill; a flat one is never come near enough to count."""
+    return 1 / sqrt(hill.stiffness) if hill.stiffness > 0 else 0
+
+
+def ridge_offset(piece):
+    """Clamp less ridge, for a motion that passes the ridge."""
+    ridge, rest = piece.basin.axis, piece.clamp_rest
+    return piece.clamp_offset if rest.angle == ridge.angle else turn_to(ridge, rest)
+
+
+def delays(piece):
+    """The delays at both ends, beyond the depth at which squares of offsets would underflow."""
+    basin, depth = piece.basin, deepest(piece.width)
+    if basin.hill.stiffness < epsilon() ** 8:  # so flat that the moment is as the cube of the offset
+        depth = 2 * depth / 3
+    # With next to no moment at the clamp a rod is straight but for an offset whose square would underflow.
+    straight = piece.high_kind == "clamp" and abs(piece.clamp_offset) < epsilon() ** 5
+    far, none = slowness(basin.far), Delay((2 * depth if straight else depth, 0, 0, 0, 0))
+    if piece.low_kind == "level":
+        return Delay((depth, 0, 0, far / 2, 0)), none
+    low = Delay((depth, slowness(basin.hill), 0, far if basin.far_rise == 0 else 0, 0))
+    if piece.high_kind != "level":
+        return low, none
+    ridge = slowness(basin.axis)
+    behind = ridge_offset(piece)
+    return low, Delay((depth, 0, ridge, 0, ridge if behind > 0 else ridge / 2 if behind == 0 else 0))
+
+
 def least_arrival(beta, eta, piece, offset, left):
     """A length before which no motion from an offset from the hill, or from a lower one, arrives.
 
@@ -2044,6 +2443,23 @@ def fall_between(eta, piece, one, other):
     return fall(eta, piece.basin.well, -depth, further)
 
 
+def beside_level(eta, piece):
+    """Places, without their sign, from the middle of a range to where its motion turns at the level of the shoulder.
+
+    The length of a motion changes with the logarithm of the level's distance from the shoulder's until there the moment
+    is as good as the shoulder's own.
+    """
+    basin, level = piece.basin, piece.low_offset if piece.low_kind == "shoulder" else piece.width
+    moment = larger(abs(basin.moment), epsilon() ** 2)
+    bend = abs(basin.moment + 1.5 * eta * basin.shoulder.double_sine)
+    steep = larger(abs(slope(eta, basin.hill, level)), epsilon() ** 2)
+    flat = larger(log(steep * piece.width * sqrt(bend) / moment) - log(moment) / 2, 0)
+    found = [flat * k / (ceil(flat / 3) + 1) for k in range(1, ceil(flat / 3) + 2)] if flat > 0 else []
+    last = max([*found, flat])
+    # At the last place the level is the shoulder's in all digits, and the next range begins with the same length.
+    return [*found, last + 1.25, last + 2.5, last + 5, last + 10, last - log(epsilon()), last - 3 * log(epsilon())]
+
+
 def grid(beta, eta, length, piece):
     """Places to begin with: near enough where the branches bend, and to where none of them is as short as the rod."""
     rounding = -log(epsilon())
@@ -2052,7 +2468,7 @@ def grid(beta, eta, length, piece):
     first = min(first, -rounding) if piece.low_kind == "level" else first
     if piece.high_kind == "level":
         last = 2 * slow + rounding
-    elif piece.high_kind == "turn":
+    elif piece.high_kind != "clamp":
         last = 2 * rounding
     elif piece.high_depth == 0:
         last = rounding
@@ -2062,7 +2478,10 @@ def grid(beta, eta, length, piece):
         last = max(rounding, 4 + log(2 * piece.width) - log(moment) - 2 * log(length))
         last = min(last, 2 * deepest(piece.width))
     inner = [0.0]
-    for side, end in ((-1, -first), (1, last)):
+    for side, end, kind in ((-1, -first, piece.low_kind), (1, last, piece.high_kind)):
+        if kind == "shoulder":
+            inner += [side * place for place in beside_level(eta, piece)]
+            continue
         inner += [side * place for place in (1.25, 2.5, 5.0, 10.0) if place < end]
         inner.append(side * end)
     return sorted(inner)
@@ -2076,7 +2495,8 @@ def ridge_couple(beta, eta, field_angle, x):
 def places(beta, eta, field_angle, length, piece):
     """Places to begin with, closer around the level at which the motion meets a ridge that is not quite there."""
     found, basin = grid(beta, eta, length, piece), piece.basin
-    if basin.even or basin.passes or piece.low_kind == "level" or not basin.whole:
+    divided = "shoulder" in (piece.low_kind, piece.high_kind)
+    if basin.even or basin.passes or piece.low_kind == "level" or not basin.whole or divided:
         return found
     angle = abs(field_angle)
     cusp = angle + pi + astroid_cusp(angle)
@@ -2185,7 +2605,7 @@ def refined(sample, samples, length):
     done, todo = [samples[0]], samples[:0:-1]
     while todo:
         before, after = done[-1], todo[-1]
-        apart = after.place - before.place > mpf("1.3")
+        apart = after.place - before.place > mpf("0.3")
         beside = [(done[-2], before, after)] if len(done) > 1 else []
         beside += [(before, after, todo[-2])] if len(todo) > 1 else []
         if apart and any(bends(one, two, three, length) for one, two, three in beside):
@@ -2320,11 +2740,6 @@ def brackets(sample, samples, counts, length, sign):
     return found
 
 
-def excess(item, turns, sign, length):
-    """The length of a branch less the rod's."""
-    return (2 * turns * item.swing if turns else 0) + sign * item.arrival - length
-
-
 def with_node(nodes, parts, place, value):
     """The places of a polynomial and its divided differences, with one more place in front, and no more than five."""
     found = [value]
@@ -2381,17 +2796,6 @@ def bracketed_root(function, places, values, blur):
         else:
             b, value_b = trial, value
         halve = little and 2 * abs(b - a) > width
-
-
-class Crossing(Record):
-    """A tip whose rod has the right length, on branch 2·turns·H + sign·t; ``rising``: the branch grows with the tip."""
-
-    __slots__ = ()
-
-    sample: Sample
-    turns: int
-    sign: int
-    rising: bool
 
 
 def crossing(sample, turns, sign, length, known):
@@ -2452,26 +2856,31 @@ def rj_pair(x, product, root_sum, p, lift, less, twist):
     positive terms only in x, y, z. Where √p and −√y are near each other, their sum follows from their difference.
     """
     pair = root_sum * root_sum - 2 * product
-    mean = start = (x + pair + 2 * p) / 5
+    fivefold = x + pair + (p + p)
+    start = fivefold / 5
     one, two = start - x, 2 * start - pair
     both = start * start - start * pair + product * product
-    reach = abs(one) + abs(start - p) + sqrt(abs(both))
+    reach = 5 * (abs(one) + abs(start - p) + sqrt(abs(both)))
     target = (epsilon() / 4) ** 0.125
     scale, total = 1, 0
-    while any_of(reach > target * scale * abs(mean)):
+    while any_of(reach > target * scale * abs(fivefold)):
         root, root_p = sqrt(x), sqrt(p)
         side, across = root_p * root_sum, root * root_sum
-        plus, minus = lift + side, lift - side
-        cancels = (abs(plus) < abs(minus)) & (scale == 1)
-        d = (root_p + root) * pick(cancels, twist / (less * pick(cancels, minus, 1)), plus)
+        plus = lift + side
+        if scale == 1:
+            minus = lift - side
+            cancels = abs(plus) < abs(minus)
+            plus = pick(cancels, twist / (less * pick(cancels, minus, 1)), plus)
+        d = (root_p + root) * plus
         raised, lifted = lift + across, sqrt(x + product + across)
-        end = 2 * root_p * raised / d
+        end = (root_p + root_p) * raised / d
         total = total + arctan_share(twist / (scale * scale * scale * d * d), end) / (scale * d)
         pair = root_sum * (root_sum + 2 * root) / 4
-        x, p = (x + product + across) / 4, raised / 4
+        x, p = (x + product + across) / 4, raised * 0.25  # a quotient of complex numbers takes longer
         product, root_sum = root_sum * lifted / 4, sqrt(root_sum * (root_sum + 2 * root + 2 * lifted)) / 2
-        lift, mean = p + product, (x + pair + 2 * p) / 5
+        lift, fivefold = p + product, x + pair + (p + p)
         scale *= 4
+    mean = fivefold / 5
     size = scale * mean
     a, b, c = one / size, two / size, both / (size * size)
     d = -(a + b) / 2
@@ -2495,30 +2904,41 @@ def shift(eta, heading, motion, point, root, square, rest):
     return w_real(b, third.imag), w_imag(b, third.real)
 
 
-def kink_at(first, second, point, root, q, m, square, rest):
+def kink_at(motion, first, second, point, root, q, m, square, rest):
     """The part of η∫cos²(θ − α) without integral; towards the tip its terms are large and cancel in the first form."""
     b, x, product = point.strength, point.pole, point.product
     delta = larger(phase_rate(first, second, square, rest), second * sqrt(square))
-    across, near_root = sqrt(square * rest), sqrt(point.one)
-    others = others_sum(q, root)
-    gap = pole_gap(x, abs(x), others, others_product(b, m, root, others), product)
-    far = arc_kink(square, delta, across, b, x, near_root, product)
-    return pick(x > 0.25, arc_kink_tip(first, second, delta, across, b, x, near_root, gap), far)
+    across, others = sqrt(square * rest), others_sum(q, root)
+    both = others_product(b, m, root, others)
+    lift = pair_lift(sqrt(motion.near), sqrt(motion.far), motion.uneven, motion.half_cosine, square, rest)
+    far = arc_kink(first, square, delta, across, b, x, root, sqrt(point.one), product)
+    # Beyond the middle the lift may be as good as nothing to divide by, and the square of the pole, too.
+    towards_tip = lift > mpf("0.15")
+    lift, there = pick(towards_tip, lift, 1), pick(towards_tip, x, 1)
+    return pick(towards_tip, arc_kink_tip(first, delta, across, b, there, root, others, both, lift), far)
 
 
 def second_kind(a, b, square, rest, arrival):
-    """(b² − a²)∫sin²ψ over the same range as ``arrival``, the length, by the same transformation (DLMF 19.8.19)."""
-    limit, more, weight, growth = epsilon() ** 0.5, any_of(a > 0), 1, 0
-    gap = a - b
+    """∫sin²ψ over the same range as ``arrival``, the length, and by how much that exceeds sin ψ cos ψ/Δ.
+
+    By the same transformation (DLMF 19.8.19). Both are small as the cube of a short length, without a difference.
+    """
+    limit, more, gap = epsilon() ** 0.5, any_of(a > 0), a - b
+    delta, weight, weights, integral, excess = phase_rate(a, b, square, rest), 0.5, 0.0, 0, 0
     while more:
         more = any_of(abs(gap) > limit * a)
-        delta = phase_rate(a, b, square, rest)
         total, below = a + b, a + delta
-        growth = growth - weight * second_kind_step(total, gap, below, square, rest, arrival)
         square, rest = gauss_square(square, total, below), gauss_rest(a, b, square, rest, delta, below)
-        a, b, weight = total / 2, sqrt(a * b), 2 * weight
+        share, first, second = gap / total, 2 * a / total, 2 * b / total
+        a, b = total / 2, sqrt(a * b)
+        delta = phase_rate(a, b, square, rest)
+        bend = phase_bend(share, first, square, rest, sqrt(square * rest), delta)
+        step = lag_step(bend, share, second, square, rest)
+        integral = integral + weight * first * bend + weights * step
+        weights, weight, excess = weights + weight, weight * share / 2, excess + step
         gap = gauss_gap(gap, a + b)  # a difference would lose what the weight brings out
-    return growth
+    last = arc_excess((a + b) * arrival) / (a + b)
+    return integral + (weights + weight) * last, excess + last
 
 
 def arc_to(beta, eta, heading, motion, point, square, rest, extent):
@@ -2529,9 +2949,9 @@ def arc_to(beta, eta, heading, motion, point, square, rest, extent):
     first, second = motion.end / 2, motion.middle / 2
     q = rest_stiffness(beta, eta, heading.cosine, heading.double_cosine)
     m = tip_cubic(beta, eta, heading.sine, heading.double_sine)
-    kink = kink_at(first, second, point, root, q, m, square, rest)
-    growth = second_kind(first, second, square, rest, extent)
-    return Arc((y, z, arc_square(beta, first, root, extent, y, kink, growth)))
+    kink = kink_at(motion, first, second, point, root, q, m, square, rest)
+    turned, lag = second_kind(first, second, square, rest, extent)
+    return Arc((y, z, arc_square(beta, first, second, root, y, kink, turned, lag)))
 
 
 class Point(Record):
@@ -2562,6 +2982,8 @@ def with_stays(rod, heading, arc, basin, middle, far):
 
     Those along the tip's direction change nothing.
     """
+    if middle == 0 and far == 0:
+        return arc
     y, z, square = arc
     for angle, extent in ((basin.axis.angle, middle), (basin.far.angle, far)):
         turned = rod.eta * (cos(2 * (angle - rod.field_angle)) - heading.double_cosine) / 2
@@ -2632,9 +3054,8 @@ def bent_rod(rod, turns, piece, crossing, index):
         part = last_stretch(rod, heading, motion, swing - arrival)
         part = with_stays(rod, heading, part, basin, stay.middle - stay.arrival, stay.far)
     through = both if sign > 0 else both - 1
-    arc = Arc(mpf(through * a + b) for a, b in zip(whole, part, strict=True))
-    speed = phase.delta * phase.whole / (motion.end * motion.sine)
-    speed = speed * sqrt(2 * motion.done_sine * motion.left_sine)
+    arc = part if through == 0 else Arc(mpf(through * a + b) for a, b in zip(whole, part, strict=True))
+    speed = speed_at(motion, phase)
     gamma = 2 * beta * heading.cosine + eta * (1 + heading.double_cosine) / 2
     energy = -gamma * length / 2 - 2 * beta * arc.y - arc.square
     scale = rod.scale
@@ -2672,19 +3093,26 @@ def bent_rod(rod, turns, piece, crossing, index):
     )
 
 
-def below(rod, scene, clamp, most):
-    """The equilibria with tips below the clamp angle, from the lowest up; tips may be nearer than rounding."""
-    beta, eta, field_angle = rod.beta, rod.eta, rod.field_angle
-    found = []
-    for piece in pieces(beta, eta, field_angle, scene, clamp):
-        if not piece.width > 0:  # the clamp angle is at the level of the ridge, to rounding
-            continue
-        here = crossings(beta, eta, field_angle, rod.length, piece, most)
-        for crossing in sorted(here, key=lambda item: item.sample.place):
-            index = index_of(crossing)
-            if index <= most:
-                found.append(bent_rod(rod, clamp.turns, piece, crossing, index))
-    return found
+def below(rod, scene, clamp, most, shots):
+    """The equilibria with tips below the clamp angle, from the lowest up; tips may be nearer than rounding.
+
+    shots: all tips, roughly, or None.
+    """
+    tips = None if shots is None else [shot for shot in shots if shot.offset < 0]
+    if tips == []:
+        return []
+    beta, eta, field_angle, length = rod.beta, rod.eta, rod.field_angle, rod.length
+    found = None
+    if tips is not None:
+        found = hits(beta, eta, field_angle, length, pieces(beta, eta, field_angle, scene, clamp), tips)
+    if found is None:
+        found = []
+        for piece in pieces(beta, eta, field_angle, scene, clamp):
+            if piece.width > 0:  # else the clamp angle is at the level of the ridge, to rounding
+                here = crossings(beta, eta, field_angle, length, piece, most)
+                found += [(piece, crossing) for crossing in sorted(here, key=lambda item: item.sample.place)]
+    indexed = [(piece, crossing, index_of(crossing)) for piece, crossing in found]
+    return [bent_rod(rod, clamp.turns, *item) for item in indexed if item[2] <= most]
 
 
 def in_order(found):
@@ -2749,8 +3177,10 @@ def all_equilibria(beta, eta, length, clamp_angle, field_angle, max_index):
     mirrored = Rod((rod.beta, rod.eta, rod.length, -clamp_angle, reflected(field), -1, scale))
     scene, other = landscapes(rod.beta, rod.eta, rod.field_angle)
     clamp = clamp_in(scene.rests, rod.clamp_angle)
-    above = below(mirrored, other, clamp_in(other.rests, mirrored.clamp_angle), most)
-    return in_order([*below(rod, scene, clamp, most), *straight(rod, scene, clamp, most), *above[::-1]])
+    shots = tip_shots(rod.beta, rod.eta, rod.field_angle, rod.length, rod.clamp_angle)
+    mirrored_shots = None if shots is None else mirror_shots(shots)
+    above = below(mirrored, other, clamp_in(other.rests, mirrored.clamp_angle), most, mirrored_shots)
+    return in_order([*below(rod, scene, clamp, most, shots), *straight(rod, scene, clamp, most), *above[::-1]])
 
 
 def index_limit(max_index):
@@ -2795,8 +3225,10 @@ def station_of(rod, swing, s):
     towards_tip = swing.whole % 2 == 0
     ahead = swing.arrival if towards_tip else swing.length - swing.arrival
     if 2 * s >= rod.length:
-        whole = floor((rod.length - s) / swing.length)
-        return station_at(swing, whole, whole % 2 == 0, rod.length - s - whole * swing.length, s, 0)
+        # The motion takes a rounding more or less than the rod is long.
+        left = rod.length - s if swing.whole else (rod.length - s) * (swing.arrival / rod.length)
+        whole = floor(left / swing.length)
+        return station_at(swing, whole, whole % 2 == 0, left - whole * swing.length, s, 0)
     if s <= ahead:
         return station_at(swing, swing.whole, towards_tip, ahead - s, s, -1 if towards_tip else 1)
     turned = floor((s - ahead) / swing.length)
@@ -2926,62 +3358,72 @@ def phase_from_far(motion, square, rest):
 
 
 def regular_part(rod, swing, station, here, left, position):
-    """θ, dθ/dσ and the arc by the motion alone, at its lengths from the tip and from the far turning point."""
+    """θ in two parts, dθ/dσ and the arc, at lengths of the motion alone from the tip and the far turning point."""
     motion, back, arc = swing.stay.motion, station.whole % 2 == 1, Arc((0, 0, 0))
     if here <= epsilon() * left:  # where the square of the phase may underflow
         if back and position:
             _, arc = way_back(rod, swing.heading, motion, (1, 0), left, position)
-        return plus_quarters(motion.tip, 4 * swing.turns), 0 * here, arc
+        return *apart_by_quarters(motion.tip, 4 * swing.turns), 0 * here, arc
     a, b = motion.end / 2, motion.middle / 2
     if next_to_clamp(swing, station, here, left):
         square, rest = phase_beside(a, b, swing.square, swing.rest, station, here + left)
     else:
         square, rest = phase_at(a, b, here, left)
     point, half, low = point_at(motion, square, rest)
-    theta, speed = motion.tip + 2 * half, point_speed(point.strength, low, point.one, point.product)
-    theta = plus_quarters(theta, 4 * swing.turns)
+    speed = point_speed(point.strength, low, point.one, point.product)
+    # The clamp angle is exact: what is measured from there is told from there.
+    anchor, turned = rod.clamp_angle, 2 * half - motion.done
+    if station.away == 0:
+        anchor, turned = apart_by_quarters(motion.tip + 2 * half, 4 * swing.turns)
     if back or left < here:
         # So near the far turning point that cos²ψ underflows the lengths tell more.
         phase = phase_from_far(motion, square, rest) if rest > epsilon() ** 12 else phase_at(a, b, left, here)
         behind, arc = way_back(rod, swing.heading, motion, phase, left, position and back)
-        # The clamp angle is exact, and the turning point is told from there.
-        theta = rod.clamp_angle + (motion.left - 2 * behind) if left < here else theta
+        if left < here:
+            anchor, turned = rod.clamp_angle, motion.left - 2 * behind
     if position and not back:
         arc = arc_to(rod.beta, rod.eta, swing.heading, motion, point, square, rest, here)
-    return theta, speed, arc
+    return anchor, turned, speed, arc
 
 
 def on_swing(rod, swing, station, position):
-    """θ, dθ/dσ and the arc from the last turning point, or from the tip, at a point of the first half-swing."""
+    """θ in two parts, dθ/dσ and the arc from the last turning point, or from the tip, at a point of a half-swing."""
     stay = swing.stay
     regular = swing.length - stay.tip - stay.middle - stay.far
     _, here, middle, far = parts(station.from_tip, stay.tip, regular, stay.middle)
     first, left, behind, _ = parts(station.from_far, stay.far, regular, stay.middle)
     if station.whole % 2 == 1:
         middle, far = behind, first
-    theta, speed, arc = regular_part(rod, swing, station, here, left, position)
+    anchor, turned, speed, arc = regular_part(rod, swing, station, here, left, position)
     for straight, extent in ((swing.middle_angle, middle), (swing.far_angle, far)):
         if extent > 0:
             turned_y, turned_z = cos(straight) - swing.heading.cosine, sin(straight) - swing.heading.sine
             arc = Arc((arc.y + extent * turned_y, arc.z + extent * turned_z, arc.square))
-    return theta, speed, arc
+    return anchor, turned, speed, arc
+
+
+def along_bent(equilibrium, s, position):
+    """θ in two parts, of which only the sum is rounded at the size of θ, and θ′, y and z, of a rod that is bent."""
+    rod, swing = equilibrium.rod, equilibrium.swing
+    station = station_of(rod, swing, ldexp(s, rod.scale))
+    sign = -1 if station.whole % 2 == 1 else 1
+    anchor, turned, speed, arc = on_swing(rod, swing, station, position)
+    # Along the tip's direction the rod is as long as it is; only what it departs by from that has been computed.
+    y = s * swing.heading.cosine + ldexp(swing.total.y - station.whole * swing.arc.y - arc.y, -rod.scale)
+    z = s * swing.heading.sine + ldexp(swing.total.z - station.whole * swing.arc.z - arc.z, -rod.scale)
+    return rod.side * anchor, rod.side * turned, -rod.side * sign * ldexp(speed, rod.scale), y, rod.side * z
 
 
 def angle_and_position(equilibrium, s, position=True):
     """θ, θ′, y and z at an arc length s from the clamp; y and z are worth nothing without ``position``."""
-    rod, swing = equilibrium.rod, equilibrium.swing
-    if swing is None:
-        length = ldexp(rod.length, -rod.scale)
-        share, left, bend = s / length, length - s, equilibrium.clamp_curvature
-        angle = equilibrium.tip_angle - bend * left * (left / length) / 2
-        return angle, bend * (left / length), equilibrium.y * share, equilibrium.z * share
-    station = station_of(rod, swing, ldexp(s, rod.scale))
-    sign = -1 if station.whole % 2 == 1 else 1
-    theta, speed, arc = on_swing(rod, swing, station, position)
-    # Along the tip's direction the rod is as long as it is; only what it departs by from that has been computed.
-    y = s * swing.heading.cosine + ldexp(swing.total.y - station.whole * swing.arc.y - arc.y, -rod.scale)
-    z = s * swing.heading.sine + ldexp(swing.total.z - station.whole * swing.arc.z - arc.z, -rod.scale)
-    return rod.side * theta, -rod.side * sign * ldexp(speed, rod.scale), y, rod.side * z
+    if equilibrium.swing is not None:
+        anchor, turned, curvature, y, z = along_bent(equilibrium, s, position)
+        return anchor + turned, curvature, y, z
+    rod = equilibrium.rod
+    length = ldexp(rod.length, -rod.scale)
+    share, left, bend = s / length, length - s, equilibrium.clamp_curvature
+    angle = equilibrium.tip_angle - bend * left * (left / length) / 2
+    return angle, bend * (left / length), equilibrium.y * share, equilibrium.z * share
 
 
 def each_of(convert, name, values):
@@ -3622,11 +4064,11 @@ def all_folds(beta, length, clamp_angle, field_angle, low, high):
 
 def span(name, ends):
     """(low, high) with 0 ≤ low < high, or an error that names the argument."""
-    if isinstance(ends, (str, bytes)) or not isinstance(ends, Iterable):
-        raise TypeError(f"{name} must be a pair (low, high), got {ends!r}")
+    if isinstance(ends, (str, bytes)) or not isinstance(ends, Iterable) or getattr(ends, "ndim", 1) != 1:
+        raise TypeError(f"{name} must be a pair (low, high), got {in_a_line(ends)}")
     pair = list(ends)
     if len(pair) != 2:
-        raise ValueError(f"{name} must be a pair (low, high), got {ends!r}")
+        raise ValueError(f"{name} must be a pair (low, high), got {in_a_line(ends)}")
     low, high = (real(f"{name}[{place}]", end) for place, end in enumerate(pair))
     if not 0 <= low < high:
         raise ValueError(f"{name} must be a range (low, high) with 0 ≤ low < high, got ({low}, {high})")

@@ -22,13 +22,15 @@ from derive.emit.kernels import (
     array_arithmetic_mpmath,
     blocks,
 )
-from derive.emit.kernels.arguments import Given, common_shape, index_limit
+from derive.emit.kernels.arguments import Given, all_real, common_shape, index_limit
+from derive.emit.kernels.spans import span
 from generated import field_only_numpy, parallel_mpmath, parallel_numpy
 
 NAMES = ("beta", "eta", "length", "clamp_angle", "field_angle")
 GOOD = (1.0, 1.0, 2.0, 1.0, 0.0)
 RIGHT = dict(zip(NAMES[:4], GOOD, strict=False))
 NO_NUMBERS = ("2", b"2", True, 1j, None, [1.0], (1,), {}, np.array([1.0]), np.True_, np.complex64(1), ...)
+NO_NUMBERS += (np.ma.masked, np.ma.masked_array(1.0), (0.5, 1.0), np.ones((30, 2)))  # the last has a text of many lines
 NOT_FINITE = (math.nan, math.inf, -math.inf, np.float64("nan"), 10**400, 10**5000)
 
 
@@ -40,10 +42,30 @@ def with_(name, value):
 
 
 @pytest.mark.parametrize("name", NAMES)
-@pytest.mark.parametrize("value", NO_NUMBERS, ids=repr)
+@pytest.mark.parametrize("value", NO_NUMBERS, ids=lambda value: " ".join(repr(value).split())[:30])
 def test_what_is_no_number_is_a_type_error(name, value):
-    with pytest.raises(TypeError, match=rf"^{name} must be a real number, got "):
+    with pytest.raises(TypeError, match=rf"^{name} must be a real number, got ") as caught:
         api.equilibria(*with_(name, value))
+    assert "\n" not in str(caught.value)
+
+
+def test_what_is_masked_is_no_array():
+    masked = np.ma.masked_array([0.5, 1.0], mask=[False, True])
+    with pytest.raises(TypeError, match=r"^eta must be a number or an array without a mask, got masked_array.*\)$"):
+        all_real("eta", masked)
+
+
+def test_the_twin_takes_numbers_of_numpy_and_no_pairs():
+    assert arithmetic_mpmath.real("eta", np.float32(0.5)) == arithmetic_mpmath.real("eta", np.int64(1)) / 2
+    with pytest.raises(TypeError, match=r"^eta must be a real number, got \(0.5, 1.0\)$"):
+        arithmetic_mpmath.real("eta", (0.5, 1.0))
+
+
+@pytest.mark.parametrize("ends", [np.array(1.0), np.ones((30, 2)), 1.0, "ab"])
+def test_a_range_is_a_pair(ends):
+    with pytest.raises(TypeError, match=r"^eta must be a pair \(low, high\), got ") as caught:
+        span("eta", ends)
+    assert "\n" not in str(caught.value)
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from math import cos, isclose, pi, sin, sqrt
+from typing import Any
 
 import numpy as np
 import pytest
@@ -25,13 +26,14 @@ NEARLY_MET = (
 
 def rods_beside_folds(number: int) -> list[Rod]:
     """Short rods with a clamp angle next to one at which two tips meet."""
-    rng, found = np.random.default_rng(8), []
+    rng = np.random.default_rng(8)
+    found: list[Rod] = []
     while len(found) < number:
         share, field = rng.random(), rng.choice([0, pi / 2, rng.uniform(-1.5, 1.5)])
         length = rng.uniform(1.6, SHORT_SLOW)
 
         def arrived(tip, load=(share * length**2, (1 - share) * length**2, float(field))):
-            return miss_of(*load, 0.0, tip)
+            return miss_of(load[0], load[1], load[2], 0.0, tip)
 
         tips = np.linspace(-pi, pi, 400)
         angles = np.array([arrived(float(tip)) for tip in tips])
@@ -55,8 +57,8 @@ def test_the_same_function_as_that_of_sweeps() -> None:
 
 @pytest.mark.parametrize("rod", NEARLY_MET, ids=range(len(NEARLY_MET)))
 def test_tips_that_nearly_meet_are_told_apart(rod) -> None:
-    *arguments, number = rod
-    assert len(all_equilibria(*arguments, None)) == number
+    beta, eta, length, clamp, field, number = rod
+    assert len(all_equilibria(beta, eta, length, clamp, field, None)) == number
 
 
 def test_as_many_as_brute_force_beside_folds() -> None:
@@ -66,20 +68,29 @@ def test_as_many_as_brute_force_beside_folds() -> None:
     for rod, counted in zip(rods, counts, strict=True):
         if counted.tips is not None:
             found = all_equilibria(rod.beta, rod.eta, rod.length, rod.clamp_angle, rod.field_angle, None)
-            assert [item.index for item in found] == list(counted.indices), rod
+            assert [item.index for item in found] == list(counted.indices or ()), rod
 
 
 def test_hardly_any_rod_is_left_to_the_search_by_ranges(monkeypatch: pytest.MonkeyPatch) -> None:
     """And those by it have the same equilibria."""
-    left = []
+    left: list[Any] = []
     search = kernel.crossings
-    monkeypatch.setattr(kernel, "crossings", lambda *rod: left.append(rod) or search(*rod))
+
+    def counted(*rod: Any) -> Any:
+        left.append(rod)
+        return search(*rod)
+
+    monkeypatch.setattr(kernel, "crossings", counted)
     arguments = [tuple(float(part[k]) for part in short_rods(5)[3:8]) for k in range(COUNT)]
-    shot = [all_equilibria(*rod, None) for rod in arguments]
+
+    def solved(rod: Any) -> list[Any]:
+        return all_equilibria(rod[0], rod[1], rod[2], rod[3], rod[4], None)
+
+    shot = [solved(rod) for rod in arguments]
     assert len(left) <= COUNT / 100
     monkeypatch.setattr(kernel, "tip_shots", lambda *rod: None)
     for rod, found in zip(arguments, shot, strict=True):
-        wanted = all_equilibria(*rod, None)
+        wanted = solved(rod)
         assert [item.index for item in found] == [item.index for item in wanted]
         for one, other in zip(found, wanted, strict=True):
             assert isclose(one.tip_angle, other.tip_angle, rel_tol=0, abs_tol=1e-12)

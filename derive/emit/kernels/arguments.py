@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from derive.emit.kernels.arithmetic import real
+from derive.emit.kernels.arithmetic import in_a_line, real
 
 
 class Given(NamedTuple):
@@ -82,6 +82,8 @@ def all_positive(name, values):
 
 def all_real(name, values):
     """A number or an array of them as finite doubles; TypeError or ValueError names the argument and the place."""
+    if hasattr(values, "mask"):
+        raise TypeError(f"{name} must be a number or an array without a mask, got {in_a_line(values)}")
     kind = getattr(getattr(values, "dtype", None), "kind", "")
     if kind and kind in "fiu":
         numbers = np.asarray(values, dtype=float)

@@ -26,6 +26,7 @@ __all__ = [
     "floor",
     "frexp",
     "hypot",
+    "in_a_line",
     "inf",
     "isfinite",
     "larger",
@@ -52,15 +53,21 @@ def spacing(x):
     return 2.0**-52
 
 
+def in_a_line(value):
+    """The text of a value for an error, which is one line."""
+    return " ".join(repr(value).split())
+
+
 def real(name: str, value: object) -> float:
     """A finite real number as a float; TypeError or ValueError names the argument that is none."""
     numeric = getattr(getattr(value, "dtype", None), "kind", "f") in "fiu" and not getattr(value, "ndim", 0)
-    if isinstance(value, (str, bytes, bool, complex)) or not numeric or not hasattr(value, "__float__"):
-        raise TypeError(f"{name} must be a real number, got {value!r}")
+    masked = hasattr(value, "mask")
+    if masked or isinstance(value, (str, bytes, bool, complex)) or not numeric or not hasattr(value, "__float__"):
+        raise TypeError(f"{name} must be a real number, got {in_a_line(value)}")
     try:
         number = float(value)
     except (TypeError, ValueError):
-        raise TypeError(f"{name} must be a real number, got {value!r}") from None
+        raise TypeError(f"{name} must be a real number, got {in_a_line(value)}") from None
     except OverflowError:
         raise ValueError(f"{name} must be finite, got a number too large for a double") from None
     if not isfinite(number):

@@ -27,6 +27,7 @@ __all__ = [
     "floor",
     "frexp",
     "hypot",
+    "in_a_line",
     "inf",
     "isfinite",
     "larger",
@@ -63,15 +64,21 @@ def spacing(x):
     return +eps
 
 
+def in_a_line(value):
+    """The text of a value for an error, which is one line."""
+    return " ".join(repr(value).split())
+
+
 def real(name, value):
     """A finite real number as an mpf, from a number or its decimal text; TypeError or ValueError names the argument."""
     numeric = getattr(getattr(value, "dtype", None), "kind", "f") in "fiu" and not getattr(value, "ndim", 0)
     try:
-        if isinstance(value, (bool, bytes, complex)) or not numeric:
+        # A pair would be a mantissa with its exponent; NumPy's numbers are Python's by ``item``.
+        if isinstance(value, (bool, bytes, complex, tuple)) or not numeric or hasattr(value, "mask"):
             raise TypeError(name)
-        number = mpf(value)
+        number = mpf(value.item() if hasattr(value, "dtype") else value)
     except (TypeError, ValueError, ZeroDivisionError):
-        raise TypeError(f"{name} must be a real number, got {value!r}") from None
+        raise TypeError(f"{name} must be a real number, got {in_a_line(value)}") from None
     if not isfinite(number):
         raise ValueError(f"{name} must be finite, got {value!r}")
     return number

@@ -46,7 +46,7 @@ ROUGH_SHOT = 1.2 * pi  # ℓ√(β + η) from which only to
 WIDER = 6.0  # times as much
 BLUR = 2e-11  # the same in double precision, on all
 STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
-AIMS = 3  # steps towards a zero
+AIMS = 4  # steps towards a zero
 AGAIN = 4  # as often for those that are still far
 AIM_SPREAD = 1e-6  # distance of two shares from which they tell a slope
 
@@ -168,6 +168,6 @@ def halved(load, spans):
     """The halves of spans."""
     width, some = spans.width / 2, rows(load, spans.rod)
     middle = spans.first + width
-    value = miss(some, middle.astype(some.beta.dtype)).astype(float)
+    value = miss(some, middle.astype(some.reach.dtype)).astype(float)
     first = spans._replace(width=width, after=value)
     return joined([first, spans._replace(first=middle, width=width, before=value)])

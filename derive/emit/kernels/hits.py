@@ -14,8 +14,8 @@ WITHIN = 2  # spacings of the length to which time maps are right
 
 def hits(beta, eta, field_angle, length, ranges, shots):
     """All (range, crossing) from Shots below the clamp angle, from the lowest up; None where one is not found."""
+    found: list[tuple] = []
     long = length * sqrt(beta + eta) >= pi
-    found = []
     for piece in ranges:
         for shot in shots[len(found) :]:
             drop = -shot.offset - piece.clamp_gap

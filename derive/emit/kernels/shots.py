@@ -46,7 +46,7 @@ def tip_shots(beta, eta, field_angle, length, clamp_angle):
     # θ″ is nowhere more than β + η/2, and no motion is wider than a turn.
     reach = (1 + REACH) * min((beta + eta / 2) / 2, 2 * pi)
     samples = samples_apart(missed, reach, shot_bend(beta, eta, (exp(slow / 2) - exp(-slow / 2)) ** 2 / 2) / 2)
-    return None if samples is None else zeros_between(missed, *samples, reach)
+    return None if samples is None else zeros_between(missed, samples[0], samples[1], reach)
 
 
 def mirror_shots(shots):

@@ -85,7 +85,7 @@ def second_kind(a, b, square, rest, arrival):
     By the same transformation (DLMF 19.8.19). Both are small as the cube of a short length, without a difference.
     """
     limit, more, gap = epsilon() ** 0.5, any_of(a > 0), a - b
-    delta, weight, weights, integral, excess = phase_rate(a, b, square, rest), 0.5, 0, 0, 0
+    delta, weight, weights, integral, excess = phase_rate(a, b, square, rest), 0.5, 0.0, 0, 0
     while more:
         more = any_of(abs(gap) > limit * a)
         total, below = a + b, a + delta

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/swing.py: do not edit, change that file.
 
-Digest of the inputs: sha256 ba57646123c9f0243f607f978a64d534fd748941d5b930a27f0bb753b7ea6113
+Digest of the inputs: sha256 a094756bcfaea9c7a9b6216a944786c4b0d5faa6122c13f8c4fe166edac954e6
 """
 
 from __future__ import annotations
@@ -89,7 +89,7 @@ def second_kind_each(a, b, square, rest, arrival):
     By the same transformation (DLMF 19.8.19). Both are small as the cube of a short length, without a difference.
     """
     limit, more, gap = epsilon() ** 0.5, each_any_of(a > 0), a - b
-    delta, weight, weights, integral, excess = phase_rate_each(a, b, square, rest), 0.5, 0, 0, 0
+    delta, weight, weights, integral, excess = phase_rate_each(a, b, square, rest), 0.5, 0.0, 0, 0
     while more:
         more = each_any_of(each_abs(gap) > limit * a)
         total, below = a + b, a + delta

@@ -15,15 +15,15 @@ from derive.measure.bench import atlas as extremes
 from derive.measure.bench import growth as growing
 from derive.measure.bench import stability as searches
 from derive.measure.bench import tables
+from derive.measure.bench.families import Record
 from derive.report.page.chart import Point, chart
 from derive.report.page.heat import heat
 
-Record = Mapping[str, Any]
 COLUMNS = ("method", "setting", "worst error", "found", "time", "from … to", "over ours")
 OURS = "ours"  # the group of our own solvers
 
 
-def measured(given: Record | None) -> dict[str, Any] | None:
+def measured(given: Mapping[str, Any] | None) -> dict[str, Any] | None:
     """Where it was measured, tables, and what broke; KeyError or TypeError for other data."""
     if given is None:
         return None
