@@ -12,8 +12,10 @@ import pytest
 from hypothesis import settings
 
 from derive import pipeline, stages
+from derive.check.verdicts import PROVED
 from derive.paper.ledger import load_ledger
 from derive.runner import Runner
+from derive.stages import Task
 from derive.theory.chain import Theory
 
 settings.register_profile("steady", deadline=None, derandomize=True, max_examples=40)
@@ -74,6 +76,20 @@ def judged(own_cache: None) -> Callable[[str], Any]:
         return said(job.printed[0])
 
     return verdict
+
+
+@pytest.fixture(scope="session")
+def unproved(own_cache: None) -> Callable[[str], list[str]]:
+    """The claims of a section of the derivation that the main job does not prove; from the same cache."""
+
+    def found(section: str) -> list[str]:
+        names = [name for name in stages.derived()[1].claims if name.startswith(section)]
+        assert len(names) > 30
+        tasks = [Task("check", name, stages.judge_claim, (name,), stages.CHECK) for name in names]
+        verdicts = Runner(jobs=1).results(tasks)
+        return [name for name, one in zip(names, verdicts, strict=True) if one["verdict"] != PROVED]
+
+    return found
 
 
 def said(verdict: dict[str, Any]) -> SimpleNamespace:

@@ -60,7 +60,7 @@ def _closing(tokens, place):
     return tokens[place].type in PUNCTUATION and (not rest or after in ("ROW", "ENDMATRIX", "IF"))
 
 
-@pytest.mark.parametrize("double", [False, True], ids=["without", "twice"])
+@pytest.mark.parametrize("double", [False, pytest.param(True, marks=pytest.mark.long)], ids=["without", "twice"])
 @pytest.mark.parametrize("record", LEDGER.values(), ids=LEDGER.keys())
 def test_every_token_matters(record, double):
     """Any token left out or written twice, but closing punctuation, gives another reading or an error."""

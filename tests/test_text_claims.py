@@ -129,8 +129,8 @@ def test_what_balls_do_not_decide_is_not_decided(theory, monkeypatch):
 @pytest.mark.parametrize(
     "claim", [claim for claim in CLAIMS.values() if claim.form in NUMERICAL], ids=lambda claim: claim.id
 )
-def test_the_numerical_statements_are_certified(theory, claim: TextClaim):
-    assert judge_text(theory, claim, mend=False).verdict == CERTIFIED
+def test_the_numerical_statements_are_certified(judged, claim: TextClaim):
+    assert judged(claim.id).verdict == CERTIFIED
 
 
 def test_the_command_judges_a_claim_by_its_name(tmp_path):

@@ -81,6 +81,11 @@ CONSTANTS: dict[sp.Expr, Callable[[], Any]] = {
 }
 
 
+def dyadic(number: Any) -> sp.Rational:
+    """A number of mpmath's, exactly. Its integers may be of a kind, gmpy2's, that SymPy does not take."""
+    return sp.Rational(*map(int, mpmath.libmp.to_rational(number._mpf_)))
+
+
 class _Walk:
     """One evaluation: the point, and the values found so far."""
 
@@ -139,8 +144,7 @@ class _Walk:
     def _exact(self, expr: sp.Expr) -> sp.Expr:
         """The value of an expression as an exact dyadic number, for use in another point."""
         value = self.value(expr)
-        parts = [sp.Rational(*mpmath.libmp.to_rational(part._mpf_)) for part in (mp.re(value), mp.im(value))]
-        return parts[0] + sp.I * parts[1]
+        return dyadic(mp.re(value)) + sp.I * dyadic(mp.im(value))
 
     def _along(self, variable: sp.Symbol, expr: sp.Expr) -> Callable[[Any], Any]:
         """The expression as a function of one variable, the others as in the point."""

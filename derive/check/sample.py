@@ -12,10 +12,10 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 import sympy as sp
-from mpmath import libmp, mp
+from mpmath import mp
 from sympy.core.function import AppliedUndef
 
-from derive.check.evaluate import UndefinedError, evaluate, wp_inverse
+from derive.check.evaluate import UndefinedError, dyadic, evaluate, wp_inverse
 from derive.theory import functions as fn
 from derive.theory.claims import Domain
 
@@ -217,7 +217,7 @@ def _short(value: Any, lower: Any, upper: Any) -> sp.Rational | None:
     slack = MARGIN * sum(abs(end) for end in (lower, upper) if not mp.isinf(end))
     if not lower + slack < value < upper - slack:
         return None
-    return sp.Rational(*libmp.to_rational(mp.mpf(value)._mpf_))
+    return dyadic(mp.mpf(value))
 
 
 def _linear_factors(expr: sp.Expr) -> list[sp.Expr]:

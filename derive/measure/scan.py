@@ -22,7 +22,9 @@ STIFFEST = 20.0
 ORDER = 14
 LONGEST_STEP = 0.25  # in scaled length: the singularities are about 1.5 away, so a step errs by some (1/6)**15
 GRID = 3001
-ROUNDS = 32  # of bisection: what is left is refined by `reference.solve`
+# Brackets are cut into so many parts at once, for many rods take hardly longer than one; so often that what is left is
+# refined by `reference.solve`.
+PARTS, ROUNDS = 32, 7
 NOISE = 1e-12  # crossings closer than this are one, crossed back and forth by rounding
 OFFSETS = np.geomspace(1e-14, 0.3, 150)
 
@@ -34,11 +36,11 @@ def brute_force(rod: Rod) -> list[float]:
     tips = candidates(rod)
     _, h = shoot(rod, tips)
     turn = np.flatnonzero(np.signbit(h[1:]) != np.signbit(h[:-1]))
-    extrema = bisect(lambda tip: shoot(rod, tip)[1], tips[turn], tips[turn + 1])
+    extrema = cut(lambda tip: shoot(rod, tip)[1], tips[turn], tips[turn + 1])
     tips = np.unique(np.concatenate([tips, extrema]))
     miss = shoot(rod, tips)[0] - rod.clamp_angle
     cross = np.flatnonzero(np.signbit(miss[1:]) != np.signbit(miss[:-1]))
-    found = bisect(lambda tip: shoot(rod, tip)[0] - rod.clamp_angle, tips[cross], tips[cross + 1])
+    found = cut(lambda tip: shoot(rod, tip)[0] - rod.clamp_angle, tips[cross], tips[cross + 1])
     found = np.unique(found)
     return [float(tip) for tip in found[np.diff(found, prepend=-np.inf) > NOISE]]
 
@@ -74,18 +76,19 @@ def zeros(function: Callable[[Array], Array], grid: Array) -> Array:
     """Where a function changes sign on a grid."""
     values = function(grid)
     at = np.flatnonzero(np.signbit(values[1:]) != np.signbit(values[:-1]))
-    return bisect(function, grid[at], grid[at + 1])
+    return cut(function, grid[at], grid[at + 1])
 
 
-def bisect(function: Callable[[Array], Array], low: Array, high: Array) -> Array:
+def cut(function: Callable[[Array], Array], low: Array, high: Array) -> Array:
     """One zero in each of many brackets at once."""
     if not low.size:
         return low
-    sign = np.signbit(function(low))
+    sign, each = np.signbit(function(low)), np.arange(low.size)
     for _ in range(ROUNDS):
-        middle = (low + high) / 2
-        left = np.signbit(function(middle)) == sign
-        low, high = np.where(left, middle, low), np.where(left, high, middle)
+        places = np.linspace(low, high, PARTS + 1, axis=1)
+        beyond = np.signbit(function(places[:, 1:-1].ravel())).reshape(low.size, -1) != sign[:, None]
+        last = np.where(beyond.any(axis=1), beyond.argmax(axis=1), PARTS - 1)  # the part before the first place beyond
+        low, high = places[each, last], places[each, last + 1]
     return (low + high) / 2
 
 

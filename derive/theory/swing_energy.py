@@ -56,6 +56,7 @@ def write_energy(place: Place, y: Expr, rod: HalfAngle, writer: Writer) -> None:
     _write_others(writer)
     _write_kink(here, writer)
     rest = kept(kink, (second - first) * (second + first) * turned, lag)
+    meant = kept(kink, (second**2 - first**2) * turned, lag)  # as ``arc_kink`` has it
     writer.add(
         "arc_square",
         (beta, first, second, root, y_apart, kink, turned, lag),
@@ -63,7 +64,7 @@ def write_energy(place: Place, y: Expr, rod: HalfAngle, writer: Writer) -> None:
         "η∫cos²(θ − α)dσ from the tip to the point less what it is along the tip's direction, by the same of y",
         lambda value: Equal(
             in_rod(value.subs(y_apart, y - cos(tip) * arc) + eta * cos(tip - field_angle) ** 2 * arc, rod),
-            in_rod(BY_LETTERS + rest, rod),
+            in_rod(BY_LETTERS + meant, rod),
         ),
         anywhere(tip),
         given=((b, in_rod(p, rod) / 4),),

@@ -165,10 +165,10 @@ def _write_pair(points: Points, writer: Writer) -> None:
         steps=("pair_sum",),
         emitted=False,
     )
-    # x_σ = x_δ δ_σ with δ_σ² = (cos u − cos D)Q, and b by P.
+    # x_σ = x_δ δ_σ with δ_σ² = (cos u − cos D)Q, X₁ = x − ê₁, and b by P.
     behind, ahead = sin(done / 2), sin(half_width - done / 2)
+    close = pole - points.far_root
     moved = diff(pole, done) ** 2 * 2 * behind * ahead * factor_there
-    close = b * ahead / (behind * sin(half_width))
     where = Domain({factor_tip: (0, oo), factor_there: (0, oo), half_width: (0, pi), done: (0, 2 * half_width)})
     product = writer.add(
         "pair_product",
@@ -178,7 +178,7 @@ def _write_pair(points: Points, writer: Writer) -> None:
         lambda value: Equal(4 * close * value, moved),
         where,
         given=((b, factor_tip * sin(half_width) / 8),),
-        steps=("cubic_root", "point_near", "turn_factor", "factor_at", "sines"),
+        steps=("cubic_root", "point_pole", "far_root", "turn_factor", "factor_at", "sines"),
         emitted=False,
     )
     writer.add(

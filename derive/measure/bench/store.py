@@ -17,7 +17,7 @@ from typing import Any
 from derive.cache import digest
 
 PACKAGE = Path(__file__).resolve().parents[2]
-PACKAGES = ("numpy", "mpmath", "scipy", "python-flint", "pyweierstrass", "elliptic-functions")
+PACKAGES = ("numpy", "mpmath", "gmpy2", "scipy", "python-flint", "pyweierstrass", "elliptic-functions")
 SOURCES = (*(PACKAGE / name for name in ("theory", "check", "emit", "measure")), PACKAGE.parent / "generated")
 FILE = "records.jsonl"
 
