@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from derive.measure.scan import GRID, NOISE, OFFSETS, ORDER, STIFFEST, Array, cut, convolve, horner, zeros
+from derive.measure.scan import GRID, NOISE, OFFSETS, ORDER, STIFFEST, Array, convolve, cut, horner, zeros
 from derive.measure.scan import LONGEST_STEP as STEP
 from derive.own_energy.integration import size_of
 from derive.own_energy.law import Trigonometric, at_loads, evaluate, slope
