@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from derive.measure.scan import GRID, NOISE, OFFSETS, ORDER, STIFFEST, Array, bisect, convolve, horner, zeros
+from derive.measure.scan import GRID, NOISE, OFFSETS, ORDER, STIFFEST, Array, convolve, cut, horner, zeros
 from derive.measure.scan import LONGEST_STEP as STEP
 from derive.own_energy.integration import size_of
 from derive.own_energy.law import Trigonometric, at_loads, evaluate, slope
@@ -25,11 +25,11 @@ def brute_force(law: dict[str, Any], rod: Any) -> list[float]:
     tips = candidates(couple, density, rod.clamp_angle)
     _, h = shoot(couple, rod, tips)
     turn = np.flatnonzero(np.signbit(h[1:]) != np.signbit(h[:-1]))
-    extrema = bisect(lambda tip: shoot(couple, rod, tip)[1], tips[turn], tips[turn + 1])
+    extrema = cut(lambda tip: shoot(couple, rod, tip)[1], tips[turn], tips[turn + 1])
     tips = np.unique(np.concatenate([tips, extrema]))
     off = miss(tips)
     cross = np.flatnonzero(np.signbit(off[1:]) != np.signbit(off[:-1]))
-    found = np.unique(bisect(miss, tips[cross], tips[cross + 1]))
+    found = np.unique(cut(miss, tips[cross], tips[cross + 1]))
     return [float(tip) for tip in found[np.diff(found, prepend=-np.inf) > NOISE]]
 
 
