@@ -14,7 +14,7 @@ Formulas, each proved equal to its derivation:
     phase_rate (DLMF 19.2.4), phase_sum, point_near, point_pole (exsl22), rest_fall, rest_moment, rest_stiffness,
     rj_delta_imag (DLMF 19.26(iii)), rj_delta_real (DLMF 19.26(iii)), shot_bend, strength (exsl17), tip_cubic,
     w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 666e513b28bb163e2009c4e243cb93e3ec42ed44168e37a71d4e5c9334ba0696
+Digest of the inputs: sha256 251f011e7684bfe4133449855a54169f1779e24eee35abdf515019cc7fe75814
 """
 
 from __future__ import annotations

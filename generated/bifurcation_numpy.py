@@ -24,7 +24,7 @@ Formulas, each proved equal to its derivation:
     rj_delta_real (DLMF 19.26(iii)), rj_delta_real_each (DLMF 19.26(iii)), shot_bend, shot_bend_each,
     strength (exsl17), strength_each (exsl17), tip_cubic, tip_cubic_each, w_imag (DLMF 19.29(ii)),
     w_imag_each (DLMF 19.29(ii)), w_real (DLMF 19.29(ii)), w_real_each (DLMF 19.29(ii))
-Digest of the inputs: sha256 28c94ef9dafdec91b45a496684b1a91f2e39905158d45e916d9a1d6d61d0b933
+Digest of the inputs: sha256 f897443594fdf2229e21ab2446ef624e5b4b59bea284d333243fff904dbdc119
 """
 
 from __future__ import annotations

@@ -20,7 +20,7 @@ Formulas, each proved equal to its derivation:
     rest_moment, rest_stiffness, rj_delta_imag (DLMF 19.26(iii)), rj_delta_real (DLMF 19.26(iii)), shot_bend,
     strength (exsl17), tip_cubic, turn_level, turn_over (DLMF 4.21(iii)), turn_tilt, turn_tilt_apart, turn_under,
     unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 2e41834a0f5c9f16c1ae9f2b1ad7475a3490d099224c4ba4f34f168f2d84ad69
+Digest of the inputs: sha256 a5706397e45fff83402fd2a90d9c41175b3884a46e218b50fe93d384517b2e9d
 """
 
 from __future__ import annotations

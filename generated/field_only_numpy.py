@@ -30,7 +30,7 @@ Formulas, each proved equal to its derivation:
     strength (exsl17), strength_each (exsl17), tip_cubic, tip_cubic_each, turn_level, turn_over (DLMF 4.21(iii)),
     turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
     w_imag_each (DLMF 19.29(ii)), w_real (DLMF 19.29(ii)), w_real_each (DLMF 19.29(ii))
-Digest of the inputs: sha256 cee4d6b0023a9c2b1c63f8af32fe04194abade327f52fb592a0da987e3b13c44
+Digest of the inputs: sha256 4fc579f96aa8fded6c6a0a994ee3cd8c886889ef8b13602e1d8c4ad19a3ec19f
 """
 
 from __future__ import annotations

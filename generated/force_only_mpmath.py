@@ -20,7 +20,7 @@ Formulas, each proved equal to its derivation:
     rest_moment, rest_stiffness, shot_bend, strength (exsl17), tip_cubic, turn_level, turn_over (DLMF 4.21(iii)),
     turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
     w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 474fb922811c1a99a6d724e92acdd72e08a93f33d392a48559446afb5d4745a5
+Digest of the inputs: sha256 496f8bd0c96efe836600e7839afc46012d5adc555b9a0dc53559a71fdeddf140
 """
 
 from __future__ import annotations

@@ -29,7 +29,7 @@ Formulas, each proved equal to its derivation:
     tip_cubic, tip_cubic_each, turn_level, turn_over (DLMF 4.21(iii)), turn_tilt, turn_tilt_apart, turn_under,
     unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)), w_imag_each (DLMF 19.29(ii)), w_real (DLMF 19.29(ii)),
     w_real_each (DLMF 19.29(ii))
-Digest of the inputs: sha256 bd713703d012b3711e0b7973e3dbda6dd8f713ce65e37d89c71bd48cb08c7180
+Digest of the inputs: sha256 0dfc8a047eaf85553786f191e25d7a3933e6445f40f55e88617e5e91cb5a12d8
 """
 
 from __future__ import annotations

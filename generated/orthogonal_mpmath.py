@@ -20,7 +20,7 @@ Formulas, each proved equal to its derivation:
     rest_moment, rest_stiffness, rj_delta_imag (DLMF 19.26(iii)), rj_delta_real (DLMF 19.26(iii)), shot_bend,
     strength (exsl17), tip_cubic, turn_level, turn_over (DLMF 4.21(iii)), turn_tilt, turn_tilt_apart, turn_under,
     unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 f82642fe0ec913f9264ffc206cdd0bc2638fdfde7453654590df616e6ca78c45
+Digest of the inputs: sha256 2cae56fbcbb99fd388ea93478c300c81928d85ae89dbde57d4ced4639eaee880
 """
 
 from __future__ import annotations

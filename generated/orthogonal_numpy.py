@@ -30,7 +30,7 @@ Formulas, each proved equal to its derivation:
     strength (exsl17), strength_each (exsl17), tip_cubic, tip_cubic_each, turn_level, turn_over (DLMF 4.21(iii)),
     turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
     w_imag_each (DLMF 19.29(ii)), w_real (DLMF 19.29(ii)), w_real_each (DLMF 19.29(ii))
-Digest of the inputs: sha256 9d5177ddb92321bd1c79111aff664b303d5ec096151093412a5739bbe9d210ca
+Digest of the inputs: sha256 6e9fef8544bad7e4ec244f96f77cd163c87116adde4a13f6ce0611be3b8ce5ec
 """
 
 from __future__ import annotations

@@ -20,7 +20,7 @@ Formulas, each proved equal to its derivation:
     rest_moment, rest_stiffness, rj_delta_imag (DLMF 19.26(iii)), rj_delta_real (DLMF 19.26(iii)), shot_bend,
     strength (exsl17), tip_cubic, turn_level, turn_over (DLMF 4.21(iii)), turn_tilt, turn_tilt_apart, turn_under,
     unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 5aa4c10edf3ce59a28ecc4ec66be6e8ed7b5351ccf49f2591ce63e4c47d80efe
+Digest of the inputs: sha256 3c4338b44609cee2597ab6898adc640780e9544edc2fbb0e439b4a0237e41b0c
 """
 
 from __future__ import annotations

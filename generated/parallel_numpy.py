@@ -30,7 +30,7 @@ Formulas, each proved equal to its derivation:
     strength (exsl17), strength_each (exsl17), tip_cubic, tip_cubic_each, turn_level, turn_over (DLMF 4.21(iii)),
     turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
     w_imag_each (DLMF 19.29(ii)), w_real (DLMF 19.29(ii)), w_real_each (DLMF 19.29(ii))
-Digest of the inputs: sha256 a84e708887ff01b5f1f9a810590369b4708b8b32c2fa63bf56a0b81c0d065a52
+Digest of the inputs: sha256 b4b0b20b7e3fd1ec4e05c1b19c83ab22f73e986f3356f6244bd0c0d07203a86f
 """
 
 from __future__ import annotations

@@ -14,7 +14,7 @@ Formulas, each proved equal to its derivation:
     phase_rate (DLMF 19.2.4), phase_sum, point_near, point_pole (exsl22), rest_fall, rest_moment, rest_stiffness,
     rj_delta_imag (DLMF 19.26(iii)), rj_delta_real (DLMF 19.26(iii)), shot_bend, strength (exsl17), tip_cubic,
     w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 4af3baaa75ceb7fc594a51990999bafb9cb69354e71477cedc6c1695d5252b58
+Digest of the inputs: sha256 af7d86f686d71ce3780e8ec6959406eae8afe0e72eaac390303a731069f93915
 """
 
 from __future__ import annotations

@@ -24,7 +24,7 @@ Formulas, each proved equal to its derivation:
     rj_delta_real (DLMF 19.26(iii)), rj_delta_real_each (DLMF 19.26(iii)), shot_bend, shot_bend_each,
     strength (exsl17), strength_each (exsl17), tip_cubic, tip_cubic_each, w_imag (DLMF 19.29(ii)),
     w_imag_each (DLMF 19.29(ii)), w_real (DLMF 19.29(ii)), w_real_each (DLMF 19.29(ii))
-Digest of the inputs: sha256 cce45c44c88d3938e5af1042370751164397bd405a3bc9c51f1779907020298f
+Digest of the inputs: sha256 5f9ceaeeb453b868da5cc66589085a931cb6e50c69e6c32a06e7c15f916100aa
 """
 
 from __future__ import annotations
