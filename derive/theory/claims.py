@@ -179,7 +179,7 @@ class Notebook:
 
 
 def print_notebook(write: Callable[[Notebook], Any]) -> None:
-    """Print what a derivation writes."""
+    """Print what a derivation writes; write: the function that writes it into a notebook."""
     book = Notebook()
     write(book)
     print(*book.text(), sep="\n")
