@@ -146,7 +146,9 @@ def test_rods_follow_the_case_and_the_scene() -> None:
 # Mutants: kernel file, what is changed, and why that is wrong.
 HOURS = pytest.mark.hours
 KERNEL_MUTANTS = [
-    pytest.param("swing", "a, b = total / 2, sqrt(a * b)", "a, b = total / 4, sqrt(a * b)", id="a factor in Gauss's step"),
+    pytest.param(
+        "swing", "a, b = total / 2, sqrt(a * b)", "a, b = total / 4, sqrt(a * b)", id="a factor in Gauss's step"
+    ),
     pytest.param("swing", "return pi / (2 * mean)", "return pi / (4 * mean)", id="a factor of the half-swing"),
     pytest.param("swing", "first, small, 1 - small)", "first, 1 - small, small)", id="sine for cosine of the phase"),
     pytest.param("shapes", "station.whole % 2 == 1", "station.whole % 2 == 0", id="the parity of the half-swings"),
