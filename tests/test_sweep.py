@@ -5,10 +5,12 @@ from __future__ import annotations
 import csv
 import json
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from itertools import pairwise
 from math import pi
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -181,6 +183,29 @@ def test_processes_give_the_same(tmp_path: Path) -> None:
             == 0
         )
     assert (tmp_path / "1.csv").read_bytes() == (tmp_path / "2.csv").read_bytes()
+
+
+class Losing(ThreadPoolExecutor):
+    """An executor that has lost what it found."""
+
+    def submit(self, fn: Any, /, *args: Any, **named: Any) -> Any:
+        def lose() -> Any:
+            fn(*args, **named)
+            raise ValueError("too many values to unpack")
+
+        return super().submit(lose)
+
+
+def test_what_an_executor_lost_is_solved_here() -> None:
+    todo = some_blocks()
+    with Losing(2) as pool:
+        assert dict(results(todo, pool)) == solved(todo, Store(None))
+
+
+def test_an_error_of_a_block_is_not_hidden() -> None:
+    spoilt = replace(some_blocks()[0], fixed=())
+    with ThreadPoolExecutor(1) as pool, pytest.raises(TypeError, match="beta"):
+        dict(results([spoilt], pool))
 
 
 @pytest.mark.long

@@ -9,7 +9,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import Executor, Future, as_completed
+from concurrent.futures import BrokenExecutor, Executor, Future, as_completed
 from dataclasses import asdict, astuple, dataclass
 from functools import lru_cache
 from importlib import import_module
@@ -115,6 +115,20 @@ def solved(
     return found
 
 
+def rows_of(future: Future[Rows], block: Block) -> Rows:
+    """What a future found; where that was lost with the worker that had it, the block is solved here.
+
+    A cluster may tell of a block as done, and then of its rows as neither here nor an error. An error of the block
+    itself comes again.
+    """
+    try:
+        return future.result()
+    except BrokenExecutor:
+        raise
+    except Exception:  # whatever an executor makes of what it has lost
+        return solve(block)
+
+
 def results(todo: Sequence[Block], executor: Executor | None) -> Iterator[tuple[Block, Rows]]:
     """The blocks todo with their rows, as they come from the executor, or one after another if there is none."""
     if executor is None:
@@ -123,7 +137,7 @@ def results(todo: Sequence[Block], executor: Executor | None) -> Iterator[tuple[
     futures: dict[Future[Rows], Block] = {executor.submit(solve, block): block for block in todo}
     try:
         for future in as_completed(futures):
-            yield futures[future], future.result()
+            yield futures[future], rows_of(future, futures[future])
     finally:
         for future in futures:
             future.cancel()
