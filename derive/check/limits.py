@@ -35,7 +35,7 @@ def prove(claim: Claim, sign: Sign) -> str:
             return next((reason for e in entries(relation) if (reason := _order(e, relation, claim))), "")
         assert isinstance(relation, Limit)
         return next((reason for way in directions(relation) if (reason := _limit(relation, way, claim))), "")
-    except (NotNormalError, ZeroDivisionError, NotImplementedError) as reason:
+    except (NotNormalError, ZeroDivisionError, NotImplementedError) as reason:  # SymPy gave up: no proof
         return str(reason) or "a denominator vanishes identically"
 
 

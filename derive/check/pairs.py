@@ -26,7 +26,7 @@ from derive.paper import tree as t
 
 CLOSE = mp.mpf(10) ** -9  # of the difference to be undone: how far amounts may miss it
 SMALL = Rational(1, 10**20)  # a small parameter, so small that only the leading orders count
-NONSENSE = (ValueError, ArithmeticError, LookupError, TypeError, NotImplementedError)
+NONSENSE = (ValueError, ArithmeticError, LookupError, TypeError, NotImplementedError)  # from a bad edit
 
 
 def pairs(bench: Bench, statement: t.Statement, once: Sequence[Edit]) -> list[tuple[Edit, Edit]]:

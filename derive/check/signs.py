@@ -42,7 +42,7 @@ class Signs:
             return plain
         if expr not in self.answers:
             self.answers[expr] = None
-            with suppress(NotNormalError, ZeroDivisionError, NotImplementedError):
+            with suppress(NotNormalError, ZeroDivisionError, NotImplementedError):  # then the sign is not known
                 self.answers[expr] = self._sign(expr)
         return self.answers[expr]
 

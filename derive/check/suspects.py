@@ -28,5 +28,5 @@ def _agree(bench: Bench, statement: t.Statement, one: int, other: int) -> bool:
     pair = t.Statement((statement.sides[other], statement.sides[one]), ("=",), statement.where)
     try:
         return bench.counterexample(pair) is None
-    except (ValueError, ArithmeticError, LookupError, TypeError, NotImplementedError):
+    except (ValueError, ArithmeticError, LookupError, TypeError, NotImplementedError):  # without meaning is not agreed
         return False
