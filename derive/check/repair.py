@@ -152,13 +152,7 @@ def _proved(
 
     try:
         verdict = judge_statement(theory, record, number, candidate, given, decide).verdict
-    except (
-        _UnprovedError,
-        ArithmeticError,
-        LookupError,
-        TypeError,
-        NotImplementedError,
-    ):  # an edit may well make nonsense
+    except (_UnprovedError, ArithmeticError, LookupError, TypeError, NotImplementedError):  # of a bad edit
         return None
     return str(verdict) if verdict in (PROVED, DEFINITION) else None
 
