@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from derive.emit.kernels.arithmetic import epsilon, pi, real, sqrt
 
-# Of β + η, and of that times the length: γ and the energy, at most thrice as large, are doubles then.
+# Of β + η, of that times the length, and of the length: γ, the energy and places, at most thrice as large, are doubles.
 LARGEST = 2.0**1020
 MANY = 100_000  # equilibria of one rod: half a minute, and half a gigabyte
 FOLDS_SLOWEST = 1000  # ℓ√(β + η) to which folds are searched for: hundreds of them, in minutes
@@ -47,11 +47,10 @@ def must_have_answer(beta, eta, length, most):
 
 
 def must_be_finite(beta, eta, length):
-    """ValueError where γ or the energy would be too large for a number."""
+    """ValueError where γ, the energy or a place would be too large for a number."""
     if too_large(beta, eta, length):
-        raise refused(
-            Loads(beta, eta, length), "γ or the energy is too large for a double; choose a smaller unit of length"
-        )
+        why = "γ, the energy or a place is too large for a double; choose another unit of length"
+        raise refused(Loads(beta, eta, length), why)
 
 
 def must_be_searchable(beta, eta, length, slowest):
@@ -72,9 +71,9 @@ def refused(loads, why):
 
 
 def too_large(beta, eta, length):
-    """Whether γ or the energy is too large: of numbers or of arrays."""
+    """Whether γ, the energy or a place is too large: of numbers or of arrays."""
     load = beta + eta
-    return (load > LARGEST) | (load * length > LARGEST)
+    return (load > LARGEST) | (load * length > LARGEST) | (length > LARGEST)
 
 
 def too_many(beta, eta, length, most):
