@@ -96,7 +96,7 @@ def measured() -> dict[str, Any]:
         "value": 100,
         "amount": 100,
         "seconds": time,
-        "bytes": None,
+        "bytes": 1024,
     }
     far = {**grown, "value": 200, "amount": 200, "seconds": {**time, "median": 8e-3}}
     solver = {"solver": "ours", "bounds": 0.5, "ulps": 2.0, "quantity": "y", "failures": []}
