@@ -29,6 +29,7 @@ RANK = {
     "grounds": 7,
     "pdf": 8,
     "runner": 8,
+    "comparison": 8,
     "pipeline": 9,
     "own_energy": 9,
     "explain": 9,
