@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 5abccc2e43d556e7c1ce1c2364bf1604dfc9f56f79b1206f85544a5852697eb9
+Digest of the inputs: sha256 336ec804242b61a45b65c55b4b40bb599dfa06cd5262b714060abcd9afcb8a92
 """
 
 from __future__ import annotations
@@ -239,46 +239,6 @@ def far_cosine_each(second, square, delta):
     Equation DLMF 22.4(iii); proved as swing.far_cosine.
     """
     return second * each_sqrt(square) / delta
-
-
-def back_below_each(first, second, square):
-    """2a(a + b)/(a + Δ) by sin²ψ′, for a > b: Gauss's step undone.
-
-    Equation DLMF 19.8(iii); proved as swing.back_below.
-    """
-    return first + second + square * (first - second)
-
-
-def back_below_rest_each(first, second, rest):
-    """The same by cos²ψ′, for a < b: Gauss's step undone.
-
-    Equation DLMF 19.8(iii); proved as swing.back_below_rest.
-    """
-    return 2 * first - rest * (first - second)
-
-
-def back_square_each(first, square, below):
-    """sin²ψ by sin²ψ′: Gauss's step undone.
-
-    Equation DLMF 19.8(iii); proved as swing.back_square.
-    """
-    return 4 * square * first * first / (below * below)
-
-
-def back_rest_each(first, second, gap, rest, below):
-    """cos²ψ by cos²ψ′, with gap = a − b: Gauss's step undone.
-
-    Equation DLMF 19.8(iii); proved as swing.back_rest.
-    """
-    return rest * (4 * first * second + rest * gap * gap) / (below * below)
-
-
-def back_move_each(first, gap, square, rest, below):
-    """by how much sin²ψ is more than sin²ψ′, with gap = a − b: Gauss's step undone.
-
-    Equation DLMF 19.8(iii); proved as swing.back_move.
-    """
-    return gap * square * rest * (below + 2 * first) / (below * below)
 
 
 def phase_bend_each(share, first_share, square, rest, across, delta):

@@ -31,7 +31,7 @@ from derive.emit.kernels.formulas import (
     turn_under,
     unit_sine,
 )
-from derive.emit.kernels.swing import phase_at
+from derive.emit.kernels.landen import phase_at
 
 
 class Station(NamedTuple):
