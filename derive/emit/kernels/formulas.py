@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 4602d7661b4ffbbd4e3f76ed7f75d7ec23828bc5e2c9f93f6a565ea8d6994bd8
+Digest of the inputs: sha256 7e70e47cedc560a069af85a423808a9dfa0de74d422e75085c6128a9b3e1cd30
 """
 
 from __future__ import annotations
@@ -433,12 +433,12 @@ def pair_root(root_near, done_sine, whole, rate):
     return 0.125 * root_near * whole * rate / done_sine
 
 
-def point_speed(b, done_sine, x_near, pair_root):
-    """|θ_σ| by X₁ and √X₂√X₃.
+def turn_speed(sine, done_sine, left_sine, whole, rate):
+    """|θ_σ| by the phase's sum and the rate of χ over that at the turning points.
 
-    Equation exsl8; proved as swing.point_speed.
+    Equation exsl8; proved as swing.turn_speed.
     """
-    return 4 * pair_root * done_sine * done_sine * sqrt(x_near) / b
+    return whole * rate * sqrt(2) * sqrt(done_sine * left_sine) / sine
 
 
 def chi_rate(square, rest, flat, scale):

@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 336ec804242b61a45b65c55b4b40bb599dfa06cd5262b714060abcd9afcb8a92
+Digest of the inputs: sha256 5501d0ccf67310a74ac2bf7c48c33fb9d133ac0df340a6cf92ba59ead7dde5c2
 """
 
 from __future__ import annotations
@@ -327,6 +327,14 @@ def pair_root_each(root_near, done_sine, whole, rate):
     Proved as swing.pair_root.
     """
     return 0.125 * root_near * whole * rate / done_sine
+
+
+def turn_speed_each(sine, done_sine, left_sine, whole, rate):
+    """|θ_σ| by the phase's sum and the rate of χ over that at the turning points.
+
+    Equation exsl8; proved as swing.turn_speed.
+    """
+    return whole * rate * each_sqrt(2) * each_sqrt(done_sine * left_sine) / sine
 
 
 def rj_delta_real_each(eta, b, double_cosine):

@@ -19,6 +19,7 @@ from derive.emit.kernels.formulas import (
     phase_lead,
     phase_rate,
     phase_sum,
+    turn_speed,
 )
 
 
@@ -55,7 +56,8 @@ def phase_of(motion):
 
 def speed_at(motion, phase):
     """|dθ/dσ| where the motion meets the clamp."""
-    return phase.delta * phase.whole / (motion.end * motion.sine) * sqrt(2 * motion.done_sine * motion.left_sine)
+    rate = phase.delta / motion.end
+    return turn_speed(motion.sine, motion.done_sine, motion.left_sine, phase.whole, rate)
 
 
 def lengths(a, b, square, rest):

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/swing.py: do not edit, change that file.
 
-Digest of the inputs: sha256 298da94d67532027f19c572c19d20961b462c6859df24729242087c5222f8118
+Digest of the inputs: sha256 dea16abd367b1a158d1af4ffacbf8799a509260795c4ac4b9ba39cacf40c1717
 """
 
 from __future__ import annotations
@@ -33,6 +33,7 @@ from derive.emit.kernels.formulas_each import (
     phase_lead_each,
     phase_rate_each,
     phase_sum_each,
+    turn_speed_each,
 )
 from derive.emit.kernels.swing import Phase
 
@@ -59,7 +60,8 @@ def phase_of_each(motion):
 
 def speed_at_each(motion, phase):
     """|dθ/dσ| where the motion meets the clamp."""
-    return phase.delta * phase.whole / (motion.end * motion.sine) * each_sqrt(2 * motion.done_sine * motion.left_sine)
+    rate = phase.delta / motion.end
+    return turn_speed_each(motion.sine, motion.done_sine, motion.left_sine, phase.whole, rate)
 
 
 def lengths_each(a, b, square, rest):
