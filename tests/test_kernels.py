@@ -18,8 +18,8 @@ from derive.emit.kernels.arcs import rj_pair
 from derive.emit.kernels.arithmetic_mpmath import arctan_share
 from derive.emit.kernels.array_arithmetic import each_arctan_share
 from derive.emit.kernels.carlson import rf
-from derive.emit.kernels.roots import bracketed_root
 from derive.emit.kernels.landen import phase_at, swing_and_arrival
+from derive.emit.kernels.roots import bracketed_root
 from derive.measure.reference import Rod, solve
 from derive.measure.scan import brute_force
 

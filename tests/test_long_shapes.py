@@ -9,8 +9,8 @@ import kernel_module
 import pytest
 from mpmath import mp, mpf
 
-from derive.emit.kernels.shapes import phase_before
 from derive.emit.kernels.landen import phase_at, swing_and_arrival
+from derive.emit.kernels.shapes import phase_before
 from derive.measure.hard import SIZES, ULP, reference
 from derive.measure.reference import Rod, along, couple_of, quantities, solve, walk
 from derive.measure.rods import PAPER
