@@ -212,4 +212,5 @@ def ground_of_kind(rods, scene, clamp):
         return level_ground_each(rods.eta, scene, clamp.offsets), zeros(rods.case.shape, dtype=bool)
     drop = ridge_fall_each(rods.beta, rods.eta, rods.field_angle, rests[0], rests[2])
     low = drop <= epsilon() ** 17 * (rods.beta + rods.eta)
-    return ridge_ground_each(rods.eta, scene, clamp.offsets, ridge_at_each(rods.eta, scene.rests, drop)), low
+    ridge = ridge_at_each(rods.beta, rods.eta, rods.field_angle, rests, drop)
+    return ridge_ground_each(rods.eta, scene, clamp.offsets, ridge), low

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import any_of, epsilon, floor, pi, pick
+from derive.emit.kernels.arithmetic import any_of, atan2, epsilon, floor, pi, pick, sqrt
 from derive.emit.kernels.landscape import Landscape
 from derive.emit.kernels.levels import fall, reach, ridge_fall, turn_to
 from derive.emit.kernels.rests import offset_from, pick_rest
@@ -48,11 +48,15 @@ def ridge_of(beta, eta, field_angle, scene):
     if len(scene.rests) != 3 and not scene.level:
         drop = ridge_fall(beta, eta, field_angle, scene.rests[0], scene.rests[2])
     # A ridge lower by less than this would be passed only from within its square root of the hill.
-    return Ridge(0, 0, 0, True) if drop <= epsilon() ** 17 * (beta + eta) else ridge_at(eta, scene.rests, drop)
+    if drop <= epsilon() ** 17 * (beta + eta):
+        return Ridge(0, 0, 0, True)
+    return ridge_at(beta, eta, field_angle, scene.rests, drop)
 
 
-def ridge_at(eta, rests, drop):
+def ridge_at(beta, eta, field_angle, rests, drop):
     """The ridge that is lower by ``drop`` than the hill."""
+    if any_of(field_angle == 0):
+        return ridge_along(beta, eta, drop)
     down, above = turn_to(rests[0], rests[1]), fall(eta, rests[2], 0, turn_to(rests[2], rests[1]))
     # Of a ridge that is next to its wells V tells at the hill nothing.
     by_hill = drop < above
@@ -60,6 +64,15 @@ def ridge_at(eta, rests, drop):
     distance = reach(eta, rest, amount, down, pick(by_hill, 1, -1))
     level, depth = pick(by_hill, distance, down - distance), pick(by_hill, down - distance, distance)
     return Ridge(drop, level, depth, by_hill)
+
+
+def ridge_along(beta, eta, drop):
+    """The ridge for a field along the force: with cos θ = 1 − 2β/η at its level, and −β/η at the well."""
+    more, less, root = sqrt(eta + beta), eta - beta, sqrt(beta)
+    level = 2 * atan2(root, sqrt(less))
+    # tan of half the difference of the two.
+    depth = 2 * atan2(eta * sqrt(less), (more + root) * (less + root * more))
+    return Ridge(drop, level, depth, level < depth)
 
 
 class Ground(NamedTuple):

@@ -2,13 +2,13 @@
 
 Emitted by `derive emit` from kernels/ground.py: do not edit, change that file.
 
-Digest of the inputs: sha256 f480ba11bf202203e67e3fe352df6d3587ee892d3d8da4eef414192f6382309f
+Digest of the inputs: sha256 388943fae91548c4190494c12543ee172be87e6cb35e84ba6150ef2c83884584
 """
 
 from __future__ import annotations
 
 from derive.emit.kernels.arithmetic import epsilon, pi
-from derive.emit.kernels.array_arithmetic import each_any_of, each_floor, each_pick
+from derive.emit.kernels.array_arithmetic import each_any_of, each_atan2, each_floor, each_pick, each_sqrt
 from derive.emit.kernels.ground import Clamp, Ground, Ridge
 from derive.emit.kernels.levels_each import fall_each, reach_each, ridge_fall_each, turn_to_each
 from derive.emit.kernels.rests_each import offset_from_each, pick_rest_each
@@ -32,11 +32,15 @@ def ridge_of_each(beta, eta, field_angle, scene):
     if len(scene.rests) != 3 and not scene.level:
         drop = ridge_fall_each(beta, eta, field_angle, scene.rests[0], scene.rests[2])
     # A ridge lower by less than this would be passed only from within its square root of the hill.
-    return Ridge(0, 0, 0, True) if drop <= epsilon() ** 17 * (beta + eta) else ridge_at_each(eta, scene.rests, drop)
+    if drop <= epsilon() ** 17 * (beta + eta):
+        return Ridge(0, 0, 0, True)
+    return ridge_at_each(beta, eta, field_angle, scene.rests, drop)
 
 
-def ridge_at_each(eta, rests, drop):
+def ridge_at_each(beta, eta, field_angle, rests, drop):
     """The ridge that is lower by ``drop`` than the hill."""
+    if each_any_of(field_angle == 0):
+        return ridge_along_each(beta, eta, drop)
     down, above = turn_to_each(rests[0], rests[1]), fall_each(eta, rests[2], 0, turn_to_each(rests[2], rests[1]))
     # Of a ridge that is next to its wells V tells at the hill nothing.
     by_hill = drop < above
@@ -44,6 +48,15 @@ def ridge_at_each(eta, rests, drop):
     distance = reach_each(eta, rest, amount, down, each_pick(by_hill, 1, -1))
     level, depth = each_pick(by_hill, distance, down - distance), each_pick(by_hill, down - distance, distance)
     return Ridge(drop, level, depth, by_hill)
+
+
+def ridge_along_each(beta, eta, drop):
+    """The ridge for a field along the force: with cos θ = 1 − 2β/η at its level, and −β/η at the well."""
+    more, less, root = each_sqrt(eta + beta), eta - beta, each_sqrt(beta)
+    level = 2 * each_atan2(root, each_sqrt(less))
+    # tan of half the difference of the two.
+    depth = 2 * each_atan2(eta * each_sqrt(less), (more + root) * (less + root * more))
+    return Ridge(drop, level, depth, level < depth)
 
 
 def ground_of_each(eta, scene, clamp, ridge):
