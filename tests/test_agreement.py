@@ -172,9 +172,9 @@ KERNEL_MUTANTS = [
     pytest.param("block_tips", "side * (length * heading", "(length * heading", id="no mirror image in a sweep"),
     pytest.param("block_tips", "= times * change", "= times / 2 * change", id="half of the swings in a sweep"),
     pytest.param("block_short", "-moment * length", "moment * length", id="a sign in a sweep of short rods"),
-    pytest.param("block_short", "rising, 0, 1)", "rising, 1, 0)", id="stable for unstable in a sweep of short rods"),
+    pytest.param("block_short", "gamma / 2 + 2 * beta", "gamma / 2 - 2 * beta", id="an energy of a sweep"),
     pytest.param("block_short", "(sine + z) * length", "(sine - z) * length", id="a short rod of a sweep mirrored"),
-    pytest.param("block_pieces", "~strong & ~alone", "strong & ~alone", id="one well for two in a sweep"),
+    pytest.param("block_pieces", "turns[which]", "turns[which] + 1", id="a turn too many in a sweep"),
     pytest.param("block_tips", "* heading.cosine + y", "* heading.cosine - y", id="a place of a sweep mirrored"),
 ]
 

@@ -20,11 +20,11 @@ COUNT = 200
 STEPS = 400
 
 
-def short_rods(seed: int, count: int = COUNT) -> Rods:
+def short_rods(seed: int, count: int = COUNT, slowest: float = SHOT_SLOW) -> Rods:
     """Random rods that are short, in their own units."""
     rng = np.random.default_rng(seed)
     beta, eta = rng.random(count), rng.random(count)
-    slow = SHOT_SLOW * rng.uniform(0.01, 1, count)
+    slow = slowest * rng.uniform(0.01, 1, count)
     length, clamp, field = slow / np.sqrt(beta + eta), rng.uniform(-4, 4, count), rng.uniform(-pi / 2, pi / 2, count)
     return Rods(np.arange(count), 1, 0, beta, eta, length, clamp, field, slow)
 

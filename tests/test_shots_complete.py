@@ -24,9 +24,7 @@ STEP = 1e-4  # of the tip, between which second differences are taken
 def rods_of(force: Any, slow: Any, clamp: Any, field: Any) -> Rods:
     """Rods of unit length, by the force's share of β + η."""
     soft = slow * slow
-    return Rods(
-        np.arange(slow.size), 1, 0, force * soft, (1 - force) * soft, 0 * slow + 1, clamp, field, slow
-    )
+    return Rods(np.arange(slow.size), 1, 0, force * soft, (1 - force) * soft, 0 * slow + 1, clamp, field, slow)
 
 
 def random_rods(seed: int, count: int = COUNT, least: float = 0.05) -> Rods:

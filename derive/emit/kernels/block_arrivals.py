@@ -13,7 +13,7 @@ from numpy import ceil, float32, floor, log2, maximum, minimum, searchsorted, ze
 from derive.emit.kernels.arithmetic import pi
 from derive.emit.kernels.array_arithmetic import each_atan2, each_cos, each_less_quarters, each_sin
 
-SERIES_SLOW = 0.275  # σ√(β + η) up to which the series of ℘(σ) is right to rounding: 1.4π/16
+SERIES_SLOW = 0.3  # σ√(β + η) up to which the series of ℘(σ) is right to rounding: no less than 1.49π/16
 
 
 class Load(NamedTuple):
@@ -112,7 +112,7 @@ def ahead_near_tip(quartic, square, rough):
     series = a + b + a * a / 3 + a * b * (3 / 11)
     if not rough:
         series = series + (2 * a * a * a / 3 + b * b) / 13
-    return (1 + series) / square - c
+    return (1 + (series - c * square)) / square
 
 
 def eighth_of(quartic):

@@ -36,16 +36,16 @@ from derive.emit.kernels.block_records import joined, rounded_to, rows
 from derive.emit.kernels.block_roots import approached
 from derive.emit.kernels.formulas_each import shot_bend_each
 
-SHOT_SLOW = 1.4 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
+SHOT_SLOW = 1.49 * pi  # ℓ√(β + η) up to which the index is known (``block_short``); soon samples are too many
 SHOTS = 512  # rods at once
 EVEN = 3.0  # step between tips, over the steepest slope
 FEWEST_SPANS = 16
 ROUGH_HALVINGS = 2  # of spans in single precision
 SPAN_HALVINGS = 18  # of the rest
-ROUGH_BLUR = 1e-3  # what is missed is right to half of that in single precision (docs/solver.md)
+ROUGH_BLUR = 5e-4  # what is missed is right to half of that in single precision (docs/solver.md)
 ROUGH_SHOT = 1.2 * pi  # ℓ√(β + η) from which only to
-WIDER = 6.0  # times as much
-BLUR = 2e-11  # the same in double precision, on all
+WIDER = 16.0  # times as much
+BLUR = 1.5e-11  # the same in double precision, on all
 STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
 AIMS = 4  # steps towards a zero
 AGAIN = 4  # as often for those that are still far
