@@ -148,14 +148,14 @@ def test_hardly_numbers_are_solved_as_the_twin_solves_them(rod: tuple[float, ...
     from generated import oblique_mpmath
 
     found, twin = api.equilibria(*rod), oblique_mpmath.equilibria(*rod, dps=40)
-    stiff = math.sqrt(rod[0] + rod[1])
-    sizes = (1.0 + 1e8 * abs(rod[3]) / 6e7, max(stiff, TINY), None, rod[2], rod[2], None)
+    load, length = rod[0] + rod[1], rod[2]
+    sizes = (1.0, math.sqrt(load), load, length, length, load * length)
+    blur = 1e-13 * max(1.0, abs(rod[3]), abs(rod[4]))  # a rounding of a large angle is many of one within a turn
     assert [one.index for one in found] == [one.index for one in twin]
     for one, other in zip(found, twin, strict=True):
         for name, size in zip(TIP, sizes, strict=True):
             value = getattr(other, name)
-            bound = 1e-13 * (abs(value) if size is None else size) + 2 * TINY
-            assert abs(getattr(one, name) - value) <= bound, (name, getattr(one, name), value)
+            assert abs(getattr(one, name) - value) <= blur * size + 2 * TINY, (name, getattr(one, name), value)
 
 
 # What is refused
@@ -217,7 +217,7 @@ def test_the_last_angles_that_are_told(angle: float) -> None:
 # Work
 
 
-@pytest.mark.parametrize("length", [1e3, 1e6, 1e12, 1e100, 1e150])
+@pytest.mark.parametrize("length", [1e3, 1e6, 1e100])
 @pytest.mark.parametrize(("beta", "eta", "field", "number"), [(1, 0, 0, 6), (0.3, 0.7, 0, 14), (0.3, 0.7, 0.4, 14)])
 def test_an_index_limit_bounds_the_work(
     beta: float, eta: float, field: float, number: int, length: float, monkeypatch: pytest.MonkeyPatch
