@@ -172,7 +172,12 @@ def refusals(backend: str) -> Iterator[tuple[str, tuple[Any, ...], dict[str, Any
     for length in (1e6, 1e100):
         rod = (1.0, 1.0, length, *one[3:])
         for limit in (None, 10**7, 10**400):
-            yield "equilibria", rod, {"max_index": limit}, r"max_index must be given .* less than \d+: .* some \S+ equi"
+            yield (
+                "equilibria",
+                rod,
+                {"max_index": limit},
+                r"max_index must be given here, and be less than \d+: .* some \S+ equi",
+            )
             yield "sweep", (1.0, 1.0, [1.0, length], 2.0, 0.3), {"max_index": limit}, r"max_index must be given"
     for angle in (HUGE, -1e300) if backend == "numpy" else (HUGE,):
         yield "equilibria", (*one[:3], angle, 0.0), {}, r"clamp_angle must lie within .*leave out whole turns"

@@ -23,12 +23,10 @@ class Loads(NamedTuple):
 
 def within_turns(name, value):
     """A real number that tells an angle to half the digits that there are, or an error that names the argument."""
-    number = real(name, value)
-    if abs(number) > 1 / sqrt(epsilon()):
-        raise ValueError(
-            f"{name} must lie within ±{briefly(1 / sqrt(epsilon()))}: of an angle beyond, fewer than half of the "
-            f"digits tell where in its turn it lies; leave out whole turns, got {value!r}"
-        )
+    number, widest = real(name, value), 1 / sqrt(epsilon())
+    if abs(number) > widest:
+        turns = "fewer than half of the digits tell where in its turn an angle lies; leave out whole turns"
+        raise ValueError(f"{name} must lie within ±{briefly(widest)}, got {value!r}: beyond, {turns}")
     return number
 
 
@@ -40,10 +38,8 @@ def must_have_answer(beta, eta, length, most):
     must_be_finite(beta, eta, length)
     if too_many(beta, eta, length, most):
         slow = length * sqrt(beta + eta)
-        raise ValueError(
-            f"max_index must be given for this rod, and be less than {MANY // 2}: as ℓ√(β + η) = {briefly(slow)}, some "
-            f"{briefly(2 * slow / pi)} equilibria have indices up to {briefly(slow / pi)}, and {MANY} is the limit"
-        )
+        why = f"ℓ√(β + η) = {briefly(slow)}, so some {briefly(2 * slow / pi)} equilibria have indices up to half that"
+        raise ValueError(f"max_index must be given here, and be less than {MANY // 2}: {why}")
 
 
 def must_be_finite(beta, eta, length):
