@@ -140,6 +140,6 @@ def test_how_often_the_angle_at_the_clamp_ceases_to_change_with_the_tip(slow: fl
     field, tip = rng.uniform(-2, 2, COUNT), rng.uniform(-4, 4, COUNT)
     tip = np.where((rng.random(COUNT) < 0.3) & (force == 0), field + pi / 2 + 0.01, tip)
     square, nothing = length * length, 0 * length * tip
-    load = Load(force * square, (1 - force) * square, np.cos(2 * field), np.sin(2 * field), nothing, 1 + nothing)
+    load = Load(1, force * square, (1 - force) * square, np.cos(2 * field), np.sin(2 * field), nothing, 1 + nothing)
     change = miss(load, tip + 1e-5) - miss(load, tip - 1e-5)
     assert ((change[1:] > 0) != (change[:-1] > 0)).sum(axis=0).max() == most

@@ -17,11 +17,13 @@ SERIES_SLOW = 0.3  # σ√(β + η) up to which the series of ℘(σ) is right t
 
 
 class Load(NamedTuple):
-    """What acts on rods, in units of their length, and the clamp angle less whole turns.
+    """What acts on rods, in units of their length, and the clamp angle less half turns: exact beside one.
 
-    reach: how far the tip may be from the clamp.
+    facing: −1 after an odd number of half turns, else 1, and β of that sign. reach: how far the tip may be from the
+    clamp.
     """
 
+    facing: Any
     beta: Any
     eta: Any
     double_cosine: Any
@@ -35,8 +37,9 @@ def load_of(rods):
     square = rods.length * rods.length
     twice = 2 * rods.field_angle + zeros(rods.case.shape)
     reach = minimum((rods.beta + rods.eta / 2) * square / 2, 2 * pi) * (1 + 1e-3)
-    clamp = each_less_quarters(rods.clamp_angle, 4 * floor(rods.clamp_angle / (2 * pi) + 0.5))
-    return Load(rods.beta * square, rods.eta * square, each_cos(twice), each_sin(twice), clamp, reach)
+    half_turns = floor(rods.clamp_angle / pi + 0.5)
+    clamp, facing = each_less_quarters(rods.clamp_angle, 2 * half_turns), 1 - 2 * (half_turns % 2)
+    return Load(facing, facing * rods.beta * square, rods.eta * square, each_cos(twice), each_sin(twice), clamp, reach)
 
 
 class Quartic(NamedTuple):
@@ -51,7 +54,7 @@ class Quartic(NamedTuple):
 
 
 class Aim(NamedTuple):
-    """A tip: the quartic, and cosine and sine of θ(ℓ) and of 2(θ(ℓ) − α)."""
+    """A tip: the quartic, and cosine and sine of θ(ℓ), as the load faces, and of 2(θ(ℓ) − α)."""
 
     quartic: Quartic
     heading: Any

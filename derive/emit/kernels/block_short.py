@@ -44,10 +44,12 @@ def short_rods(rods, shots, most):
     index = where(shots.rising, 0, 1)
     shots, index = rows((shots, index), index <= most)
     some = rows(rods, shots.rod)
-    offset, tip = corrected(load_of(some), shots)
+    load = load_of(some)
+    offset, tip = corrected(load, shots)
     bent = bent_along(tip.quartic, some.slow)
     beta, eta, length, unit = some.beta, some.eta, some.length, ldexp(1.0, some.scale)
     cosine, sine, double_cosine, double_sine = tip.heading
+    cosine, sine = load.facing * cosine, load.facing * sine
     y, z = bent.cosine * cosine - bent.sine * sine, bent.cosine * sine + bent.sine * cosine
     gamma = 2 * beta * cosine + eta * (1 + double_cosine) / 2
     doubled = bent.double_cosine * double_cosine - bent.double_sine * double_sine
