@@ -13,7 +13,7 @@ from numpy import ceil, float32, floor, log2, maximum, minimum, searchsorted, ze
 from derive.emit.kernels.arithmetic import pi
 from derive.emit.kernels.array_arithmetic import each_atan2, each_cos, each_less_quarters, each_sin
 
-SERIES_SLOW = 0.3  # σ√(β + η) up to which the series of ℘(σ) is right to rounding: no less than 1.49π/16
+SERIES_END = 0.3  # σ√(β + η) up to which the series of ℘(σ) is right to rounding: no less than 1.49π/16
 
 
 class Load(NamedTuple):
@@ -97,7 +97,7 @@ def ahead_at_clamp(quartic):
 
 def ahead_along(quartic, place, slow):
     """℘ − c at places in (0, 1], a row for each, which go up. slow: the greatest ℓ√(β + η)."""
-    doublings = maximum(ceil(log2(place * (slow / SERIES_SLOW))), 0).astype(int)
+    doublings = maximum(ceil(log2(place * (slow / SERIES_END))), 0).astype(int)
     start, eighth = place * 0.5**doublings, eighth_of(quartic)
     value = ahead_near_tip(quartic, (start * start)[:, None], False)
     for k in range(doublings[-1]):
