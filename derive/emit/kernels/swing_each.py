@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/swing.py: do not edit, change that file.
 
-Digest of the inputs: sha256 a094756bcfaea9c7a9b6216a944786c4b0d5faa6122c13f8c4fe166edac954e6
+Digest of the inputs: sha256 06bdcf1df44235b9060604ae1a8efce07259ad8a348678b785efb34069454348
 """
 
 from __future__ import annotations
@@ -50,7 +50,8 @@ def phase_of_each(motion):
     gap = each_sin((motion.left - motion.done) / 4)
     behind, ahead = far * done / whole, near * left / whole
     lead = phase_lead_each(near, motion.half_cosine, motion.uneven, done, gap) / whole
-    cosine = each_pick(each_abs(ahead - behind) > 0.8, ahead - behind, lead)
+    # Of two sums for the same that which has the smaller terms rounds less.
+    cosine = each_pick(near * each_abs(left - done) + each_abs(motion.uneven) * done < whole, lead, ahead - behind)
     # Not zero: at the tip itself the motion has no point by ℘.
     square = larger(chi_square_each(behind, ahead), epsilon() ** 19)
     size, first = each_abs(cosine), cosine >= 0
