@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 cc1c8139f5323a6bd4944b382dc5eda5abc73cdccab4a3e082d32d1a4376762e
+Digest of the inputs: sha256 d6f078ae80444be9b8661cf9c7bb89b2cfc56d78f3d0dd96829cf762f0fd8d31
 """
 
 from __future__ import annotations
@@ -31,6 +31,17 @@ def rest_moment(eta, stiffness, double_cosine, double_sine, sine, cosine):
             cosine * (stiffness - 2 * eta * double_cosine * sine * sine)
             - 0.5 * eta * double_sine * sine * (3 - 4 * sine * sine)
         )
+    )
+
+
+def stiffness_beside(eta, stiffness, double_cosine, double_sine, sine, cosine):
+    """dθ″/dθ at an offset from a direction without moment, by the sine and cosine of half the offset.
+
+    Proved as swing.stiffness_beside.
+    """
+    return (
+        stiffness * (1 - 2 * sine * sine)
+        - eta * sine * (2 * double_cosine * sine * (3 - 4 * sine * sine) + double_sine * cosine * (3 - 8 * sine * sine))
     )
 
 
@@ -135,6 +146,30 @@ def shot_bend(beta, eta, growth):
     Proved as swing.shot_bend.
     """
     return growth * (beta + 2 * eta) * (3 + growth) / (3 * beta + 3 * eta)
+
+
+def end_excess(rate, stiffness, cosine):
+    """R by one end of the motion: by P (or P′) and dθ″/dθ there, and cos D.
+
+    Proved as swing.end_excess.
+    """
+    return stiffness + 1.5 * rate * cosine
+
+
+def end_twist(eta, rate, stiffness, sine, cosine):
+    """sin(D + 2(M − α)) by the far turning point, sin(D − 2(M − α)) by the tip: zero where three directions of the four with V = V(φ) are one.
+
+    Proved as swing.end_twist.
+    """
+    return (-0.5 * rate * cosine - stiffness) / (eta * sine)
+
+
+def end_above(eta, rate, twist_sine, twist_cosine):
+    """a₀ − η by P (or P′), and by the sine and cosine of D ± 2(M − α).
+
+    Proved as swing.end_above.
+    """
+    return rate - eta * twist_sine * twist_sine / (1 + twist_cosine)
 
 
 def phase_sum(root_near, root_far, done_sine, left_sine):

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 b15cfacd131481064182161dc8847ed85547be2a7ea94080c8be6198c02e5bc4
+Digest of the inputs: sha256 9ac5041609d5f8ced083d24ca18ef6e452b37f8b5b85c1eec2d2ecddefd54569
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
     done, apart = piece.clamp_gap + drop, each_pick(upper, piece.past_hill - from_hill, piece.past_well + depth)
     done = each_pick(done < 0.5 * each_pick(upper, from_hill, each_abs(piece.past_well)), done, apart)
     depth = each_pick(upper, turn_to_each(hill, well) - from_hill, depth)
-    there = None
+    beside = None
     if basin.even:
         half_width = each_pick(
             upper, turn_to_each(hill, basin.axis) - from_hill, depth + turn_to_each(well, basin.axis)
@@ -50,9 +50,9 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
         half_width = (done + left) / 2 if piece.high_kind == "turn" else half_width
     else:
         side = far_side_each(eta, field_angle, piece, rise, drop, depth, done, height)
-        half_width, left, far_moment, far_distance, there = side
+        half_width, left, far_moment, far_distance, beside = side
         if basin.shoulder is not None:
-            near_moment = beside_shoulder(eta, basin, from_hill, offset, near_moment)
+            near_moment, beside = beside_shoulder(eta, basin, from_hill, offset, near_moment, beside)
         near_moment = larger(near_moment, least_moment_each(basin) * each_abs(offset))
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
     lack = (from_hill + far_distance) / 2 if basin.whole else pi - half_width
@@ -64,7 +64,7 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
     left_sine = each_sin(each_pick(left > pi, lack + done / 2, left / 2))
     half_cosine = each_sin(lack / 2)
     centre = half_width - depth - turn_to_each(well, basin.axis)
-    end, middle = rates_each(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, there)
+    end, middle = rates_each(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, beside)
     return Motion(
         tip,
         half_width,
