@@ -1,7 +1,8 @@
 """R and a₀ − η by one end of the motion.
 
 That V is the same at both ends lets β and α go: what is left are D, P (or P′) and dθ″/dθ at that end. Where V is nearly
-level about the end both are small, and so are R and a₀ − η.
+level about the end both are small, and so are R and a₀ − η. The sine of D + 2(M − α) is then small too, zero where
+the far turning point is one with two more of the four directions in which V is that of the tip.
 """
 
 from __future__ import annotations
@@ -53,8 +54,7 @@ def write_ends(levels: Levels, turns: Turns, writer: Writer) -> None:
         "end_twist",
         (eta, rate, stiffness, sine, cosine),
         -(stiffness + rate * cosine / 2) / (eta * sine),
-        "sin(D + 2(M − α)) by the far turning point, sin(D − 2(M − α)) by the tip: zero where three directions of the "
-        "four with V = V(φ) are one",
+        "sin(D + 2(M − α)) by the far turning point, or sin(D − 2(M − α)) by the tip",
         lambda value: Equal(
             eta * both(value, -balance / (2 * eta)), eta * Matrix([at(twist_sine, 1), at(twist_sine, -1)])
         ),

@@ -157,7 +157,7 @@ def end_excess(rate, stiffness, cosine):
 
 
 def end_twist(eta, rate, stiffness, sine, cosine):
-    """sin(D + 2(M − α)) by the far turning point, sin(D − 2(M − α)) by the tip: zero where three directions of the four with V = V(φ) are one.
+    """sin(D + 2(M − α)) by the far turning point, or sin(D − 2(M − α)) by the tip.
 
     Proved as swing.end_twist.
     """
