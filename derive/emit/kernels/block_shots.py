@@ -11,8 +11,9 @@ from typing import Any, NamedTuple
 
 from numpy import (
     abs,
+    arange,
     argsort,
-    bincount,
+    concatenate,
     cosh,
     flatnonzero,
     float32,
@@ -49,18 +50,20 @@ STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rod
 AIMS = 4  # steps towards a zero
 AGAIN = 4  # as often for those that are still far
 AIM_SPREAD = 1e-6  # distance of two shares from which they tell a slope
+SETTLINGS = 8  # steps to rounding; of most tips the first two suffice
+SETTLED = 2.0**-43  # as a share of the reach, what is missed where one more step leaves nothing but rounding
+SECANT_SPREAD = 1e-9  # distance of two shares from which they tell a slope better than it is known already
 
 
 class Shots(NamedTuple):
-    """Tips, sorted by ``key``: twice the rod's number, and 1 more for a tip above the clamp angle.
+    """Tips of short rods.
 
-    first, number: of those with a key; offset: tip less clamp angle; slope: ∂θ(0)/∂θ(ℓ).
+    rod: the number among those given; offset: tip less clamp angle; rising: whether ∂θ(0)/∂θ(ℓ) > 0.
     """
 
-    first: Any
-    number: Any
+    rod: Any
     offset: Any
-    slope: Any
+    rising: Any
 
 
 class Spans(NamedTuple):
@@ -80,21 +83,40 @@ def is_shot(rods):
     return (rods.slow < SHOT_SLOW) & (abs(couple) * rods.length * rods.length > STRAIGHT)
 
 
-def shots_of(rods, size):
-    """All tips of short rods, and the numbers of the rods of which they are not sure: these have none."""
+def shots_of(rods):
+    """All tips of short rods, and the numbers among these of the rods of which they are not sure: they have none."""
     load, sag, blur = load_of(rods), sag_of(rods), ROUGH_BLUR * where(rods.slow < ROUGH_SHOT, 1.0, WIDER)
     spans, unsure = told_apart(load, sag, blur, *sampled_spans(load, sag, blur, rods.slow))
     if unsure.size:
         spans = rows(spans, ~isin(spans.rod, unsure))
-    which, left, right = spans.rod, spans.first, spans.first + spans.width
+    which, ends = spans.rod, (spans.first, spans.first + spans.width, spans.before, spans.after)
     some = rows(load, which)
-    ends = left, right, spans.before, spans.after
     share, slope = approached(miss, some, *ends, AIMS, AIM_SPREAD, AGAIN)
-    key = 2 * rods.case[which] + (share > 0)
-    order = argsort(key, kind="stable")
-    number = bincount(key, minlength=2 * size)
-    offset, slope = (share * some.reach)[order], (slope / some.reach)[order]
-    return Shots(number.cumsum() - number, number, offset, slope), unique(unsure)
+    share, lost = settled_shares(some, share, slope)
+    unsure = concatenate([unsure, which[lost]])
+    if lost.size:
+        kept = ~isin(which, unsure)
+        which, share, spans, some = which[kept], share[kept], rows(spans, kept), rows(some, kept)
+    return Shots(which, share * some.reach, spans.after > 0), unique(unsure)
+
+
+def settled_shares(load, share, slope):
+    """The zeros of what is missed, to rounding by secants from nearly there; and the numbers of those not found so."""
+    todo, before, value_before = arange(share.size), share, full(share.shape, inf)
+    for _ in range(SETTLINGS):
+        here = rows(load, todo) if todo.size < share.size else load
+        at = share[todo]
+        value = miss(here, at)
+        change = at - before
+        told = abs(change) > SECANT_SPREAD
+        steep = where(told, (value - value_before) / where(told, change, 1), slope)
+        share[todo] = at - value / steep
+        # From here one step leaves nothing but rounding.
+        left = flatnonzero(~(abs(value) <= SETTLED * here.reach))
+        todo, before, value_before, slope = todo[left], at[left], value[left], steep[left]
+        if not left.size:
+            break
+    return share, todo
 
 
 def sag_of(rods):
