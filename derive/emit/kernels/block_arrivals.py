@@ -13,7 +13,7 @@ from numpy import ceil, float32, floor, log2, maximum, minimum, searchsorted, ze
 from derive.emit.kernels.arithmetic import pi
 from derive.emit.kernels.array_arithmetic import each_atan2, each_cos, each_less_quarters, each_sin
 
-SERIES_SLOW = 0.275  # σ√(β + η) up to which the series of ℘(σ) is right to rounding: 1.4π/16
+SERIES_SLOW = 0.3  # σ√(β + η) up to which the series of ℘(σ) is right to rounding: no less than 1.49π/16
 
 
 class Load(NamedTuple):
@@ -40,12 +40,14 @@ def load_of(rods):
 
 
 class Quartic(NamedTuple):
-    """What a motion depends on, by its tip: b, c, and the invariants of ℘ (`theory/oblique_quartic`)."""
+    """What a motion depends on, by its tip: b = p/4, and 4w³ + qw² + ``linear``·w + ``last``, the square of ℘′ by
+    w = ℘ − c (`theory/oblique_quartic`). Beside a hill ℘ − c is small, and so would be what a difference leaves of it.
+    """
 
     b: Any
-    c: Any
-    g2: Any
-    g3: Any
+    q: Any
+    linear: Any
+    last: Any
 
 
 class Aim(NamedTuple):
@@ -55,7 +57,7 @@ class Aim(NamedTuple):
     heading: Any
 
 
-def quartic_of(load, offset):
+def aim_at(load, offset):
     """The tip at an offset from the clamp angle."""
     tip = load.clamp_angle + offset
     sine, cosine = each_sin(tip), each_cos(tip)
@@ -64,51 +66,62 @@ def quartic_of(load, offset):
     double_cosine = twice_cosine * load.double_cosine + twice_sine * load.double_sine
     along, across, half = load.beta * cosine, load.beta * sine, 0.5 * load.eta * double_sine
     p, m, q = across + half, across - half, along + load.eta * double_cosine
-    mp, c = m * p, q / 12
-    g2 = q * c - mp / 4
-    g3 = (mp / 4 - q * q / 18) * c - along * p * p / 16
-    return Aim(Quartic(p / 4, c, g2, g3), (cosine, sine, double_cosine, double_sine))
+    b = p / 4
+    return Aim(Quartic(b, q, m * b, along * b * b), (cosine, sine, double_cosine, double_sine))
+
+
+def missed_by(quartic, offset):
+    """The angle after the rod's length less the clamp angle."""
+    return offset + 2 * each_atan2(quartic.b, ahead_at_clamp(quartic))
 
 
 def miss(load, share):
-    """The angle after the rod's length less the clamp angle, for tips at a share of their reach from that."""
+    """The same for tips at a share of their reach from the clamp angle."""
     offset = load.reach * share
-    quartic = quartic_of(load, offset).quartic
-    return offset + 2 * each_atan2(quartic.b, wp_of_one(quartic.g2, quartic.g3) - quartic.c)
+    return missed_by(aim_at(load, offset).quartic, offset)
 
 
-def wp_of_one(g2, g3):
-    """℘(1): the series at 1/4, or 1/16 in double precision, and the duplication formula."""
-    rough = g2.dtype == float32
+def ahead_at_clamp(quartic):
+    """℘(1) − c: the series at 1/4, or 1/16 in double precision, and the duplication formula."""
+    rough = quartic.q.dtype == float32
     square, doublings = (1 / 16, 2) if rough else (1 / 256, 4)
-    value = wp_series(g2, g3, square, rough)
+    eighth = eighth_of(quartic)
+    value = ahead_near_tip(quartic, square, rough)
     for _ in range(doublings):
-        value = wp_doubled(g2, g3, value)
+        value = ahead_doubled(quartic, eighth, value)
     return value
 
 
-def wp_along(g2, g3, place, slow):
-    """℘ at places in (0, 1], a row for each, which go up. slow: the greatest ℓ√(β + η)."""
+def ahead_along(quartic, place, slow):
+    """℘ − c at places in (0, 1], a row for each, which go up. slow: the greatest ℓ√(β + η)."""
     doublings = maximum(ceil(log2(place * (slow / SERIES_SLOW))), 0).astype(int)
-    start = place * 0.5**doublings
-    value = wp_series(g2, g3, (start * start)[:, None], False)
+    start, eighth = place * 0.5**doublings, eighth_of(quartic)
+    value = ahead_near_tip(quartic, (start * start)[:, None], False)
     for k in range(doublings[-1]):
         first = int(searchsorted(doublings, k, side="right"))
-        value[first:] = wp_doubled(g2, g3, value[first:])
+        value[first:] = ahead_doubled(quartic, eighth, value[first:])
     return value
 
 
-def wp_series(g2, g3, square, rough):
-    """℘(z) by z², to the rounding of single precision or of double precision."""
+def ahead_near_tip(quartic, square, rough):
+    """℘(z) − c by z²: the series, to the rounding of single precision or of double precision."""
+    c = quartic.q / 12
+    g2 = quartic.q * c - quartic.linear
+    g3 = (quartic.linear - quartic.q * quartic.q / 18) * c - quartic.last
     a, b = g2 * (square * square / 20), g3 * (square * square * square / 28)
     series = a + b + a * a / 3 + a * b * (3 / 11)
     if not rough:
         series = series + (2 * a * a * a / 3 + b * b) / 13
-    return (1 + series) / square
+    return (1 + (series - c * square)) / square
 
 
-def wp_doubled(g2, g3, value):
-    """℘(2z) by ℘(z)."""
+def eighth_of(quartic):
+    """What the duplication formula has beside the coefficients, b₈ of Weierstrass curves."""
+    return (quartic.q * quartic.last - quartic.linear * quartic.linear / 4) / 4
+
+
+def ahead_doubled(quartic, eighth, value):
+    """℘(2z) − c by ℘(z) − c: Weierstrass curves are doubled so, with b₂ = q, 2b₄ = ``linear``, b₆ = ``last``."""
     squared = value * value
-    above = squared + g2 / 4
-    return (above * above + 2 * g3 * value) / (value * (4 * squared - g2) - g3)
+    above = squared * (squared - quartic.linear / 2) - (2 * quartic.last * value + eighth)
+    return above / ((4 * value + quartic.q) * squared + (quartic.linear * value + quartic.last))

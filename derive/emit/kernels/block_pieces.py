@@ -11,7 +11,7 @@ from derive.emit.kernels.array_arithmetic import each_any_of
 from derive.emit.kernels.block_dips import by_dips
 from derive.emit.kernels.block_places import in_time
 from derive.emit.kernels.block_records import rows
-from derive.emit.kernels.ground_each import clamp_in_each, level_ground_each, ridge_ground_each
+from derive.emit.kernels.ground_each import clamp_in_each, level_ground_each, ridge_at_each, ridge_ground_each
 from derive.emit.kernels.landscape_each import (
     has_second_pair_each,
     mirror_landscape_each,
@@ -174,4 +174,5 @@ def ground_of_kind(rods, scene, clamp):
         return level_ground_each(rods.eta, scene, clamp.offsets), zeros(rods.case.shape, dtype=bool)
     drop = ridge_fall_each(rods.beta, rods.eta, rods.field_angle, rests[0], rests[2])
     low = drop <= epsilon() ** 17 * (rods.beta + rods.eta)
-    return ridge_ground_each(rods.eta, scene, clamp.offsets, drop), low
+    ridge = ridge_at_each(rods.beta, rods.eta, rods.field_angle, rests, drop)
+    return ridge_ground_each(rods.eta, scene, clamp.offsets, ridge), low

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 from numpy import arange, argsort, cos, empty, ldexp, where
 
 from derive.emit.kernels.arithmetic import pi
-from derive.emit.kernels.block_arrivals import load_of, quartic_of, wp_along
+from derive.emit.kernels.block_arrivals import Quartic, ahead_along, aim_at, load_of, missed_by
 from derive.emit.kernels.block_records import joined, rows
 from derive.emit.kernels.block_tips import Columns, no_columns
 
@@ -44,9 +44,7 @@ def short_rods(rods, shots, most):
     index = where(shots.rising, 0, 1)
     shots, index = rows((shots, index), index <= most)
     some = rows(rods, shots.rod)
-    # Of a motion the tip is told by the clamp angle less whole turns: as it was found.
-    load = load_of(some)
-    tip = quartic_of(load, shots.offset)
+    offset, tip = nearest(load_of(some), shots)
     bent = bent_along(tip.quartic, some.slow)
     beta, eta, length, unit = some.beta, some.eta, some.length, ldexp(1.0, some.scale)
     cosine, sine, double_cosine, double_sine = tip.heading
@@ -59,8 +57,8 @@ def short_rods(rods, shots, most):
     return Columns(
         some.case,
         0 * index,
-        shots.offset,
-        some.clamp_angle + shots.offset,
+        offset,
+        some.clamp_angle + offset,
         -moment * length * unit,
         gamma * unit * unit,
         (cosine + y) * length / unit,
@@ -68,6 +66,19 @@ def short_rods(rods, shots, most):
         energy * unit,
         index,
     )
+
+
+def nearest(load, shots):
+    """The offsets and tips, nearer than numbers are to each other.
+
+    At the clamp rounding of the tip angle shows up to cosh(ℓ√(β + η)) times. A last step of Newton's is therefore made
+    in p, by q = dp/dθ(ℓ): that is far more exact next to a hill, where it matters. All else may be off by a rounding.
+    """
+    tip = aim_at(load, shots.offset)
+    b, q, linear, last = tip.quartic
+    step = -missed_by(tip.quartic, shots.offset) / shots.slope
+    ratio = 1 + q * step / (4 * b)
+    return shots.offset + step, tip._replace(quartic=Quartic(b * ratio, q, linear * ratio, last * ratio * ratio))
 
 
 def bent_along(quartic, slow):
@@ -92,8 +103,7 @@ def points_for(slow):
 def integrals(quartic, slow):
     """The integrals along rods of which ``slow`` is the greatest ℓ√(β + η)."""
     place, weight = half_of_gauss(points_for(slow))
-    b = quartic.b
-    ahead = wp_along(quartic.g2, quartic.g3, place, slow) - quartic.c
+    b, ahead = quartic.b, ahead_along(quartic, place, slow)
     share = 1 / (ahead * ahead + b * b)
     across = ahead * share
     # sin δ = 2b·across, 1 − cos δ = 2b²·share.

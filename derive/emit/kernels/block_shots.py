@@ -36,33 +36,35 @@ from derive.emit.kernels.block_records import joined, rounded_to, rows
 from derive.emit.kernels.block_roots import approached
 from derive.emit.kernels.formulas_each import shot_bend_each
 
-SHOT_SLOW = 1.4 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
+SHOT_SLOW = 1.49 * pi  # ℓ√(β + η) up to which the index is known (``block_short``); soon samples are too many
 SHOTS = 512  # rods at once
 EVEN = 3.0  # step between tips, over the steepest slope
 FEWEST_SPANS = 16
 ROUGH_HALVINGS = 2  # of spans in single precision
 SPAN_HALVINGS = 18  # of the rest
-ROUGH_BLUR = 1e-3  # what is missed is right to half of that in single precision (docs/solver.md)
+ROUGH_BLUR = 5e-4  # what is missed is right to half of that in single precision (docs/solver.md)
 ROUGH_SHOT = 1.2 * pi  # ℓ√(β + η) from which only to
-WIDER = 6.0  # times as much
-BLUR = 2e-11  # the same in double precision, on all
+WIDER = 16.0  # times as much
+BLUR = 1.5e-11  # the same in double precision, on all
 STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
 AIMS = 4  # steps towards a zero
 AGAIN = 4  # as often for those that are still far
 AIM_SPREAD = 1e-6  # distance of two shares from which they tell a slope
 SETTLINGS = 8  # steps to rounding; of most tips the first two suffice
-SETTLED = 2.0**-43  # as a share of the reach, what is missed where one more step leaves nothing but rounding
+SETTLED = 2.0**-43  # as a share of the reach, what is missed where two more steps leave nothing but rounding
 SECANT_SPREAD = 1e-9  # distance of two shares from which they tell a slope better than it is known already
 
 
 class Shots(NamedTuple):
     """Tips of short rods.
 
-    rod: the number among those given; offset: tip less clamp angle; rising: whether ∂θ(0)/∂θ(ℓ) > 0.
+    rod: the number among those given; offset: tip less clamp angle; slope: ∂θ(0)/∂θ(ℓ), nearly; rising: whether that
+    is positive.
     """
 
     rod: Any
     offset: Any
+    slope: Any
     rising: Any
 
 
@@ -92,31 +94,30 @@ def shots_of(rods):
     which, ends = spans.rod, (spans.first, spans.first + spans.width, spans.before, spans.after)
     some = rows(load, which)
     share, slope = approached(miss, some, *ends, AIMS, AIM_SPREAD, AGAIN)
-    share, lost = settled_shares(some, share, slope)
-    unsure = concatenate([unsure, which[lost]])
+    share, slope, lost = settled_shares(some, share, slope)
+    found = Shots(which, share * some.reach, slope / some.reach, spans.after > 0)
     if lost.size:
-        kept = ~isin(which, unsure)
-        which, share, spans, some = which[kept], share[kept], rows(spans, kept), rows(some, kept)
-    return Shots(which, share * some.reach, spans.after > 0), unique(unsure)
+        unsure = concatenate([unsure, which[lost]])
+        found = rows(found, ~isin(which, unsure))
+    return found, unique(unsure)
 
 
 def settled_shares(load, share, slope):
-    """The zeros of what is missed, to rounding by secants from nearly there; and the numbers of those not found so."""
+    """The zeros of what is missed, all but to rounding, by secants from nearly there; the slopes; and the numbers of
+    those not found so."""
     todo, before, value_before = arange(share.size), share, full(share.shape, inf)
     for _ in range(SETTLINGS):
         here = rows(load, todo) if todo.size < share.size else load
         at = share[todo]
-        value = miss(here, at)
-        change = at - before
+        value, change = miss(here, at), at - before
         told = abs(change) > SECANT_SPREAD
-        steep = where(told, (value - value_before) / where(told, change, 1), slope)
-        share[todo] = at - value / steep
-        # From here one step leaves nothing but rounding.
+        steep = where(told, (value - value_before) / where(told, change, 1), slope[todo])
+        slope[todo], share[todo] = steep, at - value / steep
         left = flatnonzero(~(abs(value) <= SETTLED * here.reach))
-        todo, before, value_before, slope = todo[left], at[left], value[left], steep[left]
+        todo, before, value_before = todo[left], at[left], value[left]
         if not left.size:
             break
-    return share, todo
+    return share, slope, todo
 
 
 def sag_of(rods):

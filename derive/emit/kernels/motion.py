@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import any_of, exp, larger, pi, pick, sin, sqrt
+from derive.emit.kernels.arithmetic import any_of, cos, exp, larger, pi, pick, sin, sqrt
 from derive.emit.kernels.levels import turn_to
 from derive.emit.kernels.pieces import Piece
 from derive.emit.kernels.potential import fall_from_rest, moment_from_rest
@@ -74,12 +74,12 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     lack = (from_hill + far_distance) / 2 if basin.whole else pi - half_width
     sine = sin(pick(lack < half_width, lack, half_width))
     near, far = 2 * near_moment / sine, 2 * far_moment / sine
-    uneven = 0 if basin.even else unevenness(eta, field_angle, tip + half_width, sine, near, far)
     # done/2 + left/2 = half_width: near half a turn one follows from the other.
     done_sine = sin(pick(done > pi, lack + left / 2, done / 2))
     left_sine = sin(pick(left > pi, lack + done / 2, left / 2))
     half_cosine = sin(lack / 2)
     centre = half_width - depth - turn_to(well, basin.axis)
+    uneven = 0 if basin.even else unevenness(eta, basin.axis, centre, sine, near, far)
     end, middle = rates(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, beside)
     return Motion(
         tip,
@@ -100,8 +100,12 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     )
 
 
-def unevenness(eta, field_angle, middle, sine, near, far):
-    """√far − √near: by the roots where they are apart, else by far − near = 2η sin 2(middle − α) sin(half_width)."""
-    by_turns = 2 * eta * sin(2 * (middle - field_angle)) * sine / (sqrt(near) + sqrt(far))
+def unevenness(eta, axis, centre, sine, near, far):
+    """√far − √near: by the roots where they are apart, else by far − near = 2η sin 2(middle − α) sin(half_width).
+
+    centre: from the axis to the middle.
+    """
+    double = axis.double_sine * cos(2 * centre) + axis.double_cosine * sin(2 * centre)
+    by_turns = 2 * eta * double * sine / (sqrt(near) + sqrt(far))
     apart = (8 * near < far) | (8 * far < near) | (near + far < 2 * eta * sine)
     return pick(apart, sqrt(far) - sqrt(near), by_turns)

@@ -2,13 +2,22 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 9ac5041609d5f8ced083d24ca18ef6e452b37f8b5b85c1eec2d2ecddefd54569
+Digest of the inputs: sha256 3e3eecf93814410f6b31ae4f8125268f2bd7dc955ac0dd1145ac9dc3d5982fc7
 """
 
 from __future__ import annotations
 
 from derive.emit.kernels.arithmetic import pi
-from derive.emit.kernels.array_arithmetic import each_abs, each_any_of, each_exp, each_pick, each_sin, each_sqrt, larger
+from derive.emit.kernels.array_arithmetic import (
+    each_abs,
+    each_any_of,
+    each_cos,
+    each_exp,
+    each_pick,
+    each_sin,
+    each_sqrt,
+    larger,
+)
 from derive.emit.kernels.levels_each import turn_to_each
 from derive.emit.kernels.motion import Motion
 from derive.emit.kernels.pieces import Piece
@@ -58,12 +67,12 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
     lack = (from_hill + far_distance) / 2 if basin.whole else pi - half_width
     sine = each_sin(each_pick(lack < half_width, lack, half_width))
     near, far = 2 * near_moment / sine, 2 * far_moment / sine
-    uneven = 0 if basin.even else unevenness_each(eta, field_angle, tip + half_width, sine, near, far)
     # done/2 + left/2 = half_width: near half a turn one follows from the other.
     done_sine = each_sin(each_pick(done > pi, lack + left / 2, done / 2))
     left_sine = each_sin(each_pick(left > pi, lack + done / 2, left / 2))
     half_cosine = each_sin(lack / 2)
     centre = half_width - depth - turn_to_each(well, basin.axis)
+    uneven = 0 if basin.even else unevenness_each(eta, basin.axis, centre, sine, near, far)
     end, middle = rates_each(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, beside)
     return Motion(
         tip,
@@ -84,8 +93,12 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
     )
 
 
-def unevenness_each(eta, field_angle, middle, sine, near, far):
-    """√far − √near: by the roots where they are apart, else by far − near = 2η sin 2(middle − α) sin(half_width)."""
-    by_turns = 2 * eta * each_sin(2 * (middle - field_angle)) * sine / (each_sqrt(near) + each_sqrt(far))
+def unevenness_each(eta, axis, centre, sine, near, far):
+    """√far − √near: by the roots where they are apart, else by far − near = 2η sin 2(middle − α) sin(half_width).
+
+    centre: from the axis to the middle.
+    """
+    double = axis.double_sine * each_cos(2 * centre) + axis.double_cosine * each_sin(2 * centre)
+    by_turns = 2 * eta * double * sine / (each_sqrt(near) + each_sqrt(far))
     apart = (8 * near < far) | (8 * far < near) | (near + far < 2 * eta * sine)
     return each_pick(apart, each_sqrt(far) - each_sqrt(near), by_turns)
