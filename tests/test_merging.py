@@ -14,9 +14,10 @@ from mpmath import mp, mpf
 from derive.emit.kernels.blocks import sweep_arrays
 from derive.emit.kernels.equilibria import all_equilibria
 from derive.emit.kernels.ground import clamp_in, ground_of, ridge_of
-from derive.emit.kernels.landscape import landscape, mirror_landscape
+from derive.emit.kernels.landscape import landscape
 from derive.emit.kernels.pieces import pieces
 from derive.emit.kernels.places import places
+from derive.emit.kernels.rests import mirror_landscape
 from derive.emit.kernels.search import delays, sample_at
 from derive.measure.agreement import answers, natural_size
 from derive.measure.counts import count

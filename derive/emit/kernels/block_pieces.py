@@ -14,19 +14,21 @@ from derive.emit.kernels.block_records import rows
 from derive.emit.kernels.ground_each import clamp_in_each, level_ground_each, ridge_at_each, ridge_ground_each
 from derive.emit.kernels.landscape_each import (
     has_second_pair_each,
-    mirror_landscape_each,
-    no_field_each,
     oblique_alone_each,
     oblique_double_each,
     oblique_single_each,
+)
+from derive.emit.kernels.levels_each import ridge_fall_each
+from derive.emit.kernels.pieces_each import ranges_each
+from derive.emit.kernels.rests_each import mirror_landscape_each
+from derive.emit.kernels.symmetric_landscapes_each import (
+    no_field_each,
     orthogonal_double_each,
     orthogonal_single_each,
     parallel_alone_each,
     parallel_double_each,
     parallel_single_each,
 )
-from derive.emit.kernels.levels_each import ridge_fall_each
-from derive.emit.kernels.pieces_each import ranges_each
 
 
 class Rods(NamedTuple):

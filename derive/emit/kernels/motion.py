@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import any_of, cos, exp, larger, pi, pick, sin, sqrt
+from derive.emit.kernels.basins import Piece
 from derive.emit.kernels.levels import turn_to
-from derive.emit.kernels.pieces import Piece
 from derive.emit.kernels.potential import fall_from_rest, moment_from_rest
 from derive.emit.kernels.rates import rates
 from derive.emit.kernels.shoulders import beside_shoulder

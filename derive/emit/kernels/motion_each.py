@@ -18,9 +18,9 @@ from derive.emit.kernels.array_arithmetic import (
     each_sqrt,
     larger,
 )
+from derive.emit.kernels.basins import Piece
 from derive.emit.kernels.levels_each import turn_to_each
 from derive.emit.kernels.motion import Motion
-from derive.emit.kernels.pieces import Piece
 from derive.emit.kernels.potential_each import fall_from_rest_each, moment_from_rest_each
 from derive.emit.kernels.rates_each import rates_each
 from derive.emit.kernels.shoulders import beside_shoulder
