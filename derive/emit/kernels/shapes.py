@@ -141,7 +141,7 @@ def regular_part(rod, swing, station, here, left, position):
     else:
         square, rest = phase_at(a, b, here, left)
     point, half, speed = point_at(motion, square, rest)
-    # The clamp angle is exact: what is measured from there is told from there, and beyond a turning point if that is near.
+    # The clamp angle is exact: what is measured from there is told from there; what turned back, if that is near.
     anchor, turned = rod.clamp_angle, 2 * half - motion.done
     if station.away == 0 and motion.done > abs(motion.tip):
         anchor, turned = apart_by_quarters(motion.tip + 2 * half, 4 * swing.turns)
