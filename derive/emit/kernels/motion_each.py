@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 d8e81f390a8f7373845c8310561cf886b7f1bc9f7c41a4fa683e6b3bef1d72c8
+Digest of the inputs: sha256 0ec6042485154a46a4ced148352a28dc5a3ab473f8f1e0da7f834718575be255
 """
 
 from __future__ import annotations
@@ -71,7 +71,7 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
     done_sine = each_sin(each_pick(done > pi, lack + left / 2, done / 2))
     left_sine = each_sin(each_pick(left > pi, lack + done / 2, left / 2))
     half_cosine = each_sin(lack / 2)
-    centre = half_width - depth - turn_to_each(well, basin.axis)
+    centre = halfway_each(hill, basin.far, basin.axis) + (from_hill - far_distance) / 2
     uneven = 0 if basin.even else unevenness_each(eta, basin.axis, centre, sine, near, far)
     end, middle = rates_each(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, there)
     return Motion(
@@ -91,6 +91,12 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
         done_sine,
         left_sine,
     )
+
+
+def halfway_each(hill, far, axis):
+    """The angle from an axis to the middle of two hills, in which whole turns between them are no rounding."""
+    quarters = hill.quarters + far.quarters - 2 * axis.quarters
+    return quarters * (pi / 4) + ((hill.extra - axis.extra) + (far.extra - axis.extra)) / 2
 
 
 def unevenness_each(eta, axis, centre, sine, near, far):
