@@ -106,7 +106,11 @@ def stay_at(beta, eta, field_angle, piece, ends, place):
 
 def sample_at(beta, eta, field_angle, piece, ends, place):
     """The sample at a place."""
-    stay = stay_at(beta, eta, field_angle, piece, ends, place)
+    return sample_of(place, stay_at(beta, eta, field_angle, piece, ends, place))
+
+
+def sample_of(place, stay):
+    """The sample of a motion."""
     motion = stay.motion
     phase = phase_of(motion)
     regular = swing, arrival = swing_and_arrival(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
