@@ -213,12 +213,14 @@ def bent_rod(rod, turns, piece, crossing, index):
     speed = speed_at(motion, phase)
     gamma = 2 * beta * heading.cosine + eta * (1 + heading.double_cosine) / 2
     energy = -gamma * length / 2 - 2 * beta * arc.y - arc.square
+    near = motion.done < abs(motion.tip)  # the clamp angle is exact
+    tip = rod.clamp_angle - motion.done if near else plus_quarters(motion.tip, 4 * turns)
     scale = rod.scale
     first = arrival + stay.tip + stay.arrival
     # The length of the rod is better known than that of a half-swing.
     half_swing = (length - sign * first) / both if both else swing + stay.tip + stay.middle + stay.far
     return Equilibrium(
-        rod.side * plus_quarters(motion.tip, 4 * turns),
+        rod.side * tip,
         -rod.side * sign * ldexp(speed, scale),
         ldexp(gamma, 2 * scale),
         ldexp(length * heading.cosine + arc.y, -scale),

@@ -78,7 +78,7 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     done_sine = sin(pick(done > pi, lack + left / 2, done / 2))
     left_sine = sin(pick(left > pi, lack + done / 2, left / 2))
     half_cosine = sin(lack / 2)
-    centre = half_width - depth - turn_to(well, basin.axis)
+    centre = halfway(hill, basin.far, basin.axis) + (from_hill - far_distance) / 2
     uneven = 0 if basin.even else unevenness(eta, basin.axis, centre, sine, near, far)
     end, middle = rates(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, beside)
     return Motion(
@@ -98,6 +98,12 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
         done_sine,
         left_sine,
     )
+
+
+def halfway(hill, far, axis):
+    """The angle from an axis to the middle of two hills, in which whole turns between them are no rounding."""
+    quarters = hill.quarters + far.quarters - 2 * axis.quarters
+    return quarters * (pi / 4) + ((hill.extra - axis.extra) + (far.extra - axis.extra)) / 2
 
 
 def unevenness(eta, axis, centre, sine, near, far):
