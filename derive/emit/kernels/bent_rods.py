@@ -10,55 +10,64 @@ from derive.emit.kernels.swing import phase_of, speed_at
 
 def bent_rod(rod, turns, piece, crossing, index):
     """The equilibrium of a tip on its branch."""
-    beta, eta, length = rod.beta, rod.eta, rod.length
-    stay, phase, (swing, arrival) = crossing.sample.stay, crossing.sample.phase, crossing.sample.regular
-    motion, basin = stay.motion, piece.basin
+    beta, eta, length, side, scale = rod.beta, rod.eta, rod.length, rod.side, rod.scale
+    motion, phase = crossing.sample.stay.motion, crossing.sample.phase
     heading = heading_of(rod.field_angle, motion)
-    whole = Arc(0, 0, 0)  # not asked for within the first half-swing
-    if crossing.turns:
-        whole = arc_to(beta, eta, heading, motion, far_point(motion), 1, 0, swing)
-        whole = with_stays(rod, heading, whole, basin, stay.middle, stay.far)
-    both, sign = 2 * crossing.turns, crossing.sign
-    if sign > 0:
+    through = 2 * crossing.turns - (1 if crossing.sign < 0 else 0)
+    whole, arc = arcs_of(rod, piece.basin, crossing, heading, through)
+    gamma = 2 * beta * heading.cosine + eta * (1 + heading.double_cosine) / 2
+    energy = -gamma * length / 2 - 2 * beta * arc.y - arc.square
+    return Equilibrium(
+        side * plus_quarters(motion.tip, 4 * turns),
+        -side * crossing.sign * ldexp(speed_at(motion, phase), scale),
+        ldexp(gamma, 2 * scale),
+        ldexp(length * heading.cosine + arc.y, -scale),
+        side * ldexp(length * heading.sine + arc.z, -scale),
+        ldexp(energy, scale),
+        index,
+        rod,
+        swing_of(length, turns, piece.basin, crossing, heading, whole, arc, through),
+    )
+
+
+def swing_of(length, turns, basin, crossing, heading, whole, arc, through):
+    """The half-swing of a bent rod, for its shape. through: half-swings before the one at the clamp."""
+    sample, both = crossing.sample, 2 * crossing.turns
+    # The length of the rod is better known than that of a half-swing.
+    half_swing = (length - crossing.sign * sample.arrival) / both if both else sample.swing
+    return Swing(
+        sample.stay,
+        turns,
+        half_swing,
+        heading,
+        whole,
+        arc,
+        basin.axis.angle,
+        basin.far.angle,
+        through,
+        sample.arrival,
+        sample.regular[1],
+        sample.phase.square,
+        sample.phase.rest,
+    )
+
+
+def arcs_of(rod, basin, crossing, heading, through):
+    """The arc of a half-swing, which is not asked for within the first one, and that of the rod."""
+    beta, eta = rod.beta, rod.eta
+    stay, phase, (swing, arrival) = crossing.sample.stay, crossing.sample.phase, crossing.sample.regular
+    motion = stay.motion
+    if crossing.sign > 0:
         part = arc_to(beta, eta, heading, motion, clamp_point(motion, phase), phase.square, phase.rest, arrival)
         part = with_stays(rod, heading, part, basin, stay.arrival, 0)
     else:
         part = last_stretch(rod, heading, motion, swing - arrival)
         part = with_stays(rod, heading, part, basin, stay.middle - stay.arrival, stay.far)
-    through = both if sign > 0 else both - 1
-    arc = part if through == 0 else Arc(*(float(through * a + b) for a, b in zip(whole, part, strict=True)))
-    speed = speed_at(motion, phase)
-    gamma = 2 * beta * heading.cosine + eta * (1 + heading.double_cosine) / 2
-    energy = -gamma * length / 2 - 2 * beta * arc.y - arc.square
-    scale = rod.scale
-    first = arrival + stay.tip + stay.arrival
-    # The length of the rod is better known than that of a half-swing.
-    half_swing = (length - sign * first) / both if both else swing + stay.tip + stay.middle + stay.far
-    return Equilibrium(
-        rod.side * plus_quarters(motion.tip, 4 * turns),
-        -rod.side * sign * ldexp(speed, scale),
-        ldexp(gamma, 2 * scale),
-        ldexp(length * heading.cosine + arc.y, -scale),
-        rod.side * ldexp(length * heading.sine + arc.z, -scale),
-        ldexp(energy, scale),
-        index,
-        rod,
-        Swing(
-            stay,
-            turns,
-            half_swing,
-            heading,
-            whole,
-            arc,
-            basin.axis.angle,
-            basin.far.angle,
-            through,
-            first,
-            arrival,
-            phase.square,
-            phase.rest,
-        ),
-    )
+    if through == 0:
+        return Arc(0, 0, 0), part
+    whole = arc_to(beta, eta, heading, motion, far_point(motion), 1, 0, swing)
+    whole = with_stays(rod, heading, whole, basin, stay.middle, stay.far)
+    return whole, Arc(*(float(through * a + b) for a, b in zip(whole, part, strict=True)))
 
 
 def last_stretch(rod, heading, motion, extent):
