@@ -147,8 +147,8 @@ def show_found(found: Found) -> None:
         for line in wins(rows):
             console.print(f"  {line}", highlight=False, soft_wrap=True)
     for row in exponents(found.records.get("growth", [])):
-        memory = "" if row.memory is None else f", memory as {row.variable}^{row.memory:.2f}"
-        console.print(f"{row.series}: time as {row.variable}^{row.time:.2f}{memory}", highlight=False)
+        time, memory = (f"{row.variable}^{power:.2f}" for power in (row.time, row.memory))
+        console.print(f"{row.series}: time as {time}, memory as {memory}", highlight=False)
     for line in words(found):
         console.print(line, highlight=False, soft_wrap=True)
 

@@ -8,7 +8,7 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
-from derive import stages
+from derive import comparison, stages
 from derive.runner import Runner
 from derive.stages import Task
 
@@ -174,19 +174,19 @@ def run_modules(runner: Runner, job: Job) -> None:
             [[answers[task.key] for task in some] for some in diagrams[name]] if "folds" in module["functions"] else []
         )
         inputs = (module["text"], module["backend"], rods, *points)
-        tasks.append(Task("agreement", name, stages.agree, inputs, stages.AGREEMENT))
+        tasks.append(Task("agreement", name, comparison.agree, inputs, comparison.AGREEMENT))
     job.agreements = dict(zip(wanted, runner.results(tasks), strict=True))
 
 
 def diagram_tasks(module: dict[str, Any], rods: int) -> tuple[list[Task], list[Task]]:
     """The tasks that give the references of a module's folds and of its exchanges, if it has any."""
     label, scene, functions = module["case"], (module["case"], module["folded"]), module["functions"]
-    folds = [number for number in stages.FOLD_RODS if number < rods and "folds" in functions]
-    exchanges = [number for number in stages.EXCHANGE_RODS if number < rods and "exchanges" in functions]
+    folds = [number for number in comparison.FOLD_RODS if number < rods and "folds" in functions]
+    exchanges = [number for number in comparison.EXCHANGE_RODS if number < rods and "exchanges" in functions]
     return (
-        [Task("reference", f"folds {label}", stages.fold_reference, (*scene, n), stages.FOLDS) for n in folds],
+        [Task("reference", f"folds {label}", comparison.fold_reference, (*scene, n), comparison.FOLDS) for n in folds],
         [
-            Task("reference", f"exchanges {label}", stages.exchange_reference, (*scene, n), stages.EXCHANGES)
+            Task("reference", f"exchanges {label}", comparison.exchange_reference, (*scene, n), comparison.EXCHANGES)
             for n in exchanges
         ],
     )
@@ -195,8 +195,8 @@ def diagram_tasks(module: dict[str, Any], rods: int) -> tuple[list[Task], list[T
 def reference_tasks(runner: Runner, module: dict[str, Any]) -> list[Task]:
     """The tasks that give the references of a module."""
     label, scene = f"reference {module['case']}", (module["case"], module["folded"])
-    count = runner.result(Task("rods", label, stages.list_rods, scene, stages.REFERENCE))
-    return [Task("reference", label, stages.reference, (*scene, n), stages.REFERENCE) for n in range(count)]
+    count = runner.result(Task("rods", label, comparison.list_rods, scene, comparison.REFERENCE))
+    return [Task("reference", label, comparison.reference, (*scene, n), comparison.REFERENCE) for n in range(count)]
 
 
 def main_job(runner: Runner, scenes: Sequence[Path], *, paper: bool = True) -> Job:

@@ -6,14 +6,13 @@ run: with every result at hand, neither SymPy nor the theory is loaded.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 from derive.cache import digest
-from derive.measure.loading import load
 from derive.resources import templates_folder
 
 HERE = Path(__file__).resolve().parent
@@ -26,17 +25,6 @@ EXACT = 120
 # The derived forms; how the page and the figures look does not change them.
 REPORT = (*PRINTED, *sorted((HERE / "report").glob("*.py")))
 EMIT = (*CHECK, HERE / "emit", HERE / "resources.py")
-REFERENCE = tuple(HERE / "measure" / f"{name}.py" for name in ("taylor", "reference", "scan", "rods"))
-FOLDS = (*REFERENCE, *(HERE / "measure" / f"{name}.py" for name in ("counts", "folds", "fold_references")))
-EXCHANGES = (*FOLDS, *(HERE / "measure" / f"{name}.py" for name in ("exchanges", "exchange_references")))
-AGREEMENT = (
-    *EXCHANGES,
-    *(HERE / "measure" / f"{name}.py" for name in ("agreement", "fold_agreement", "sweeps", "loading")),
-    HERE / "measure" / "exchange_agreement.py",
-)
-# Of the rods of a load case, those whose folds are looked for, and those whose exchanges are.
-FOLD_RODS = (0, 2, 4)
-EXCHANGE_RODS = (0,)
 
 
 @dataclass(frozen=True)
@@ -176,7 +164,7 @@ def emit(scene_text: str, label: str, backend: str) -> dict[str, Any]:
     }
     try:
         module = emit_module(theory(), scene, backend)
-        proof = [plain(formula) for formula in prove_module(module)]  # the module is run by `agree`
+        proof = [plain(formula) for formula in prove_module(module)]  # the module is run by `comparison.agree`
     except EmitError as error:
         return {**found, "failure": str(error), "text": "", "proof": []}
     return {**found, "failure": "", "text": module.text, "proof": proof, "left_out": list(module.left_out)}
@@ -195,83 +183,6 @@ def emit_kernels() -> dict[str, str]:
     from derive.emit.committed import emit_kernels
 
     return emit_kernels(theory())
-
-
-def list_rods(case: str, folded: dict[str, str]) -> int:
-    """How many rods the modules of a scene are run on; ``folded``: its constants to EXACT digits."""
-    from derive.measure.rods import rods
-
-    return len(rods(case, {name: float(text) for name, text in folded.items()}))
-
-
-def reference(case: str, folded: dict[str, str], number: int) -> list[dict[str, Any]]:
-    """All equilibria of one of the rods of a load case, to 40 digits; ``folded``: its constants to EXACT digits."""
-    from mpmath import mp, mpf
-
-    from derive.measure.rods import references, rods
-
-    rod = rods(case, {name: float(text) for name, text in folded.items()})[number]
-    with mp.workdps(EXACT):
-        exact = {name: mpf(text) for name, text in folded.items()}
-    return [found.to_json() for found in references(rod, exact)]
-
-
-def fold_reference(case: str, folded: dict[str, str], number: int) -> dict[str, Any] | None:
-    """All folds of one of the rods of a load case as the field grows, to 40 digits; None where it is too stiff."""
-    from mpmath import mp, mpf
-
-    from derive.measure.fold_references import fold_references
-    from derive.measure.rods import rods
-
-    with mp.workdps(EXACT):
-        exact = {name: mpf(text) for name, text in folded.items()}
-    found = fold_references(rods(case, {name: float(text) for name, text in folded.items()})[number], exact)
-    return None if found is None else found.to_json()
-
-
-def exchange_reference(case: str, folded: dict[str, str], number: int) -> dict[str, Any]:
-    """Where two folds of one of the rods of a load case meet as the force grows, to 40 digits."""
-    from mpmath import mp, mpf
-
-    from derive.measure.exchange_references import exchange_references
-    from derive.measure.rods import rods
-
-    with mp.workdps(EXACT):
-        exact = {name: mpf(text) for name, text in folded.items()}
-    rod = rods(case, {name: float(text) for name, text in folded.items()})[number]
-    return exchange_references(rod, exact).to_json()
-
-
-def agree(
-    text: str,
-    backend: str,
-    known: Sequence[Sequence[dict[str, Any]]],
-    folds: Sequence[dict[str, Any] | None] | None = None,
-    exchanges: Sequence[dict[str, Any]] = (),
-) -> dict[str, Any]:
-    """How far a module is off the references; an exception in the module is a fault like any other.
-
-    folds, exchanges: the references of its folds and exchanges, if it has any.
-    """
-    from derive.measure.agreement import DOUBLE, TWIN_DIGITS, agreement
-    from derive.measure.exchange_agreement import enter_exchanges
-    from derive.measure.exchange_references import ExchangeList
-    from derive.measure.fold_agreement import enter_folds
-    from derive.measure.fold_references import FoldList
-    from derive.measure.reference import Reference
-
-    answers = [[Reference.from_json(one) for one in rod] for rod in known]
-    unit = 10.0**-TWIN_DIGITS if backend == "mpmath" else DOUBLE
-    try:
-        module = load(text)
-    except Exception as error:
-        return {"rows": [], "faults": [f"it cannot be imported: {type(error).__name__}: {error}"], "equilibria": 0}
-    result = agreement(module, [(rod[0].rod, rod) for rod in answers], unit)
-    if folds is not None:
-        enter_folds(result, module, [FoldList.from_json(one) for one in folds if one], unit)
-    enter_exchanges(result, module, [ExchangeList.from_json(one) for one in exchanges], unit)
-    rows = [asdict(row) for row in result.rows.values()]
-    return {"rows": rows, "faults": result.reasons(), "equilibria": result.equilibria}
 
 
 def plain(record: Any) -> dict[str, Any]:

@@ -84,7 +84,7 @@ def measured() -> dict[str, Any]:
     time = {"median": 2e-3, "low": 1e-3, "high": 3e-3, "runs": 3}
     task = {
         "key": "tasks/T1/a", "problem": "T1", "title": HOSTILE, "unit": "rod", "method": HOSTILE, "group": "ours",
-        "setting": "n = 3", "whole": True, "errors": {"worst": 1e-15, "found": 3, "of": 3, "spurious": 0},
+        "setting": "n = 3", "share": 1.0, "whole": True, "errors": {"worst": 1e-15, "found": 3, "of": 3, "spurious": 0},
         "seconds": time, "ratio": {"median": 1.0},
     }  # fmt: skip
     peer = {**task, "method": "peer", "group": "peer", "errors": {**task["errors"], "worst": 3e-7, "spurious": 1}}
@@ -96,9 +96,9 @@ def measured() -> dict[str, Any]:
         "value": 100,
         "amount": 100,
         "seconds": time,
-        "bytes": None,
+        "bytes": 10**6,
     }
-    far = {**grown, "value": 200, "amount": 200, "seconds": {**time, "median": 8e-3}}
+    far = {**grown, "value": 200, "amount": 200, "bytes": 2 * 10**6, "seconds": {**time, "median": 8e-3}}
     solver = {"solver": "ours", "bounds": 0.5, "ulps": 2.0, "quantity": "y", "failures": []}
     lost = {**solver, "solver": "literal", "bounds": None, "failures": [HOSTILE]}
     point = {

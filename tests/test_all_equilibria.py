@@ -137,8 +137,9 @@ def test_shapes_solve_the_equation() -> None:
 
 
 def test_rods_beside_the_astroid_have_the_counted_equilibria() -> None:
-    rods = astroid_rods(150, 5)
-    for counted in count(rods):
+    counts = count(astroid_rods(150, 5))
+    assert sum(counted.tips is None for counted in counts) <= len(counts) // 20
+    for counted in counts:
         found = solved(counted.rod)
         assert not wrong_in_kind(found, counted.number), counted.rod
         assert counted.indices in (None, tuple(one.index for one in found)), counted.rod

@@ -10,6 +10,8 @@ from typing import Any
 import numpy as np
 import pytest
 from mpmath import mpf
+from runge_kutta import angle_after
+from spying import calls_of
 
 from derive.emit.kernels import blocks
 from derive.emit.kernels.block_records import rows
@@ -30,6 +32,8 @@ ROUGH_RODS = [
     ((903.3, 30.79, 0.118, 1.745, 0.0), 4.539442119267078),
     ((31.49, 0.0, 0.687, -2.21, 0.0), -4.175230282113994),
     ((77.47, 88.83, 0.274, 2.272, -0.313), 5.276366242519344),
+    ((0.17483553789762363, 0.8251644621023764, 4.372255993797518, -2.604356465229663, pi / 2), -4.7989351708965104),
+    ((0.0, 1.0, 4.178383619792231, -1.9974801418839436, 0.0), -3.1020761336418405),
 ]
 FIELDS = ("tip_angle", "clamp_curvature", "gamma", "y", "z", "energy", "index")
 
@@ -126,14 +130,7 @@ def test_rods_on_which_nothing_acts_and_very_long_ones() -> None:
 
 
 def test_few_rods_are_left_to_the_scalar_solver(monkeypatch: pytest.MonkeyPatch) -> None:
-    left: list[int] = []
-    scalar = blocks.one_by_one
-
-    def counted(*rod: Any) -> Any:
-        left.append(1)
-        return scalar(*rod)
-
-    monkeypatch.setattr(blocks, "one_by_one", counted)
+    left = calls_of(monkeypatch, blocks, "one_by_one")
     eta = np.linspace(0, 0.001, 200)
     sweep_arrays([np.full(200, 0.00035), eta, np.full(200, 80.0), np.full(200, 3 * pi / 4), np.zeros(200)])
     assert len(left) < 10
@@ -144,20 +141,9 @@ def test_no_rods() -> None:
 
 
 def tips_by_integration(beta: float, eta: float, length: float, clamp: float, field: float) -> np.ndarray:
-    """Tip angles between which the angle at the clamp passes the clamp angle, by Runge and Kutta's method."""
+    """Tip angles between which the angle at the clamp passes the clamp angle."""
     tips = np.linspace(clamp - 2 * pi, clamp + 2 * pi, 6001)
-    angle, speed, step = tips.copy(), 0 * tips, length / 400
-
-    def moment(theta: np.ndarray) -> np.ndarray:
-        return beta * np.sin(theta) + eta / 2 * np.sin(2 * (theta - field))
-
-    for _ in range(400):
-        first = moment(angle)
-        second = moment(angle + step / 2 * speed)
-        third = moment(angle + step / 2 * speed + step * step / 4 * first)
-        fourth = moment(angle + step * speed + step * step / 2 * second)
-        angle = angle + step * speed + step * step / 6 * (first + second + third)
-        speed = speed + step / 6 * (first + 2 * second + 2 * third + fourth)
+    angle = angle_after(tips, length, beta, eta, field)
     passes = np.flatnonzero((angle[1:] > clamp) != (angle[:-1] > clamp))
     return (tips[passes] + tips[passes + 1]) / 2
 

@@ -20,21 +20,22 @@ TRUE = Equal(sin(x) ** 2 + cos(x) ** 2, 1)
 LONG = 60.0  # seconds: no test would wait for it
 
 
-class Sleeping(sp.Function):
+class Endless(sp.Function):
     """An expression over which SymPy hangs."""
 
     def _eval_subs(self, old: sp.Expr, new: sp.Expr) -> None:
-        idle()
+        work(LONG)
 
 
-def idle() -> None:
-    end = time.monotonic() + LONG
+def work(seconds: float) -> None:
+    """Keep the processor at it."""
+    end = time.monotonic() + seconds
     while time.monotonic() < end:
-        time.sleep(0.01)
+        pass
 
 
 def hang(*arguments: object) -> str:
-    idle()
+    work(LONG)
     return ""
 
 
@@ -65,7 +66,7 @@ def test_a_prover_that_hangs_is_ended_in_a_thread(monkeypatch):
 
 
 def test_other_claims_of_a_pool_do_not_wait():
-    hanging = Claim("test.hang", "hangs", Equal(Sleeping(x), 1), given=((x, sp.Integer(2)),))
+    hanging = Claim("test.hang", "hangs", Equal(Endless(x), 1), given=((x, sp.Integer(2)),))
     claims = [hanging, *(Claim(f"test.{k}", "true", Equal(TRUE.lhs + k, 1 + k)) for k in range(5))]
     start = time.monotonic()
     found = judge_all(claims, jobs=2, seconds=2)
@@ -80,7 +81,7 @@ def test_no_alarm_comes_late():
         for k in range(60):
             try:
                 with limited(0.004):
-                    time.sleep(0.001 * (k % 8))
+                    work(0.001 * (k % 8))
             except TimeLimit:
                 rung += 1
         time.sleep(0.05)
@@ -94,20 +95,23 @@ def test_without_a_limit_nothing_is_set():
     with limited(None):
         pass
     with pytest.raises(TimeLimit, match=r"no proof in 0\.05 s"), limited(0.05):
-        idle()
+        work(LONG)
+
+
+def test_time_in_which_others_have_the_processor_does_not_count():
+    with limited(0.2):
+        time.sleep(0.5)
 
 
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
 def test_a_limit_that_is_swallowed_by_a_finalizer_is_said_again():
     class Slow:
         def __del__(self):
-            end = time.monotonic() + 0.4
-            while time.monotonic() < end:
-                pass
+            work(0.4)
 
-    def swallow_then_idle():
+    def swallow_then_work():
         Slow()  # the first alarm rings in its finalizer, where no exception gets out
-        idle()
+        work(LONG)
 
     with pytest.raises(TimeLimit), limited(0.2):
-        swallow_then_idle()
+        swallow_then_work()

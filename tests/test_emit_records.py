@@ -177,6 +177,7 @@ def epsilon():
         ("any_of(a > b) and b", "a > b and b"),
         ("not any_of(a != b)", "a == b"),
         ("not any_of(a > b)", "not a > b"),
+        ("not any_of(a != b < 1)", "not a != b < 1"),
         ("4 * epsilon() ** 0.5", "4 * (2.0**-52) ** 0.5"),
         ("epsilon", "epsilon"),
     ],

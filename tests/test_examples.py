@@ -17,7 +17,6 @@ EXAMPLES = {
     "hysteresis": ("loop.csv", ["it begins at θ(ℓ) = 2.5495 and ends at 2.5495", "0.1396 lost in a cycle"]),
     "load_map": ("map.svg", ["1111111111113333331111111111111111111111133333333", "3401 equilibria of 1225 rods"]),
     "precise_twin": ("", ["length 200: 5 equilibria by one, 5 by the other", "0.018725601456088107788388954"]),
-    "three_equilibria": ("three.svg", []),
 }
 # Those that measure for minutes, or write the tables of the documentation.
 MEASURING = {"hard_table", "measure_table", "readme_tables", "scene_table", "verdict_tables"}
@@ -36,9 +35,7 @@ def script(name: str) -> ModuleType:
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_an_example_runs(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file, lines = EXAMPLES[name]
-    module = script(name)
-    run = getattr(module, "main", None) or module.draw
-    run(*([tmp_path / file] if file else []))
+    script(name).main(*([tmp_path / file] if file else []))
     printed = capsys.readouterr().out
     for line in lines:
         assert line in printed

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -28,6 +29,7 @@ RANK = {
     "grounds": 7,
     "pdf": 8,
     "runner": 8,
+    "comparison": 8,
     "pipeline": 9,
     "own_energy": 9,
     "explain": 9,
@@ -106,10 +108,39 @@ def test_a_backward_arrow_is_seen(tmp_path: Path) -> None:
     assert backward(file, tmp_path) == []
 
 
+REFERENCES = ("taylor", "reference", "scan", "counts", "folds", "fold_references", "exchanges", "exchange_references")
+LONG_REFERENCES = ("segments", "rests", "chains", "guesses", "long_rods")
+
+
 def test_references_share_nothing_with_the_solver() -> None:
-    for name in ("taylor", "reference", "scan"):
+    for name in (*REFERENCES, *LONG_REFERENCES):
         found = imports(ROOT / "derive" / "measure" / f"{name}.py")
         assert not [one for one in found if one.startswith(("derive.emit", "derive.theory", "generated", "sympy"))]
+
+
+# Parts of docs/architecture.md that are about a folder; the rest of the package is in "the main job".
+SECTIONS = ("theory", "paper", "check", "emit", "measure", "diagrams", "report", "own_energy")
+
+
+@pytest.mark.parametrize("section", [*SECTIONS, "the main job"])
+def test_every_module_has_its_place_in_the_architecture(section: str) -> None:
+    """Named in the part about its folder; or its own folder is, with a slash behind it."""
+    text = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+    (part,) = re.findall(rf"^## {section}$(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL)
+    named = {name.rpartition("/")[2] for name in re.findall(r"`([\w/]+)`", part)}
+    folders = set(re.findall(r"`([\w/]+)/`", part)) | {"kernels"}  # which have their formulas' table
+    starts = tuple(name.removesuffix("*") for name in re.findall(r"`(\w+\*)`", part))
+    root = ROOT / "derive" / section if section in SECTIONS else ROOT / "derive"
+    files = root.rglob("*.py") if section in SECTIONS else root.glob("*.py")
+    unnamed = [
+        path.relative_to(root).as_posix()
+        for path in files
+        if not path.stem.startswith("__")
+        and path.stem not in named
+        and path.parent.name not in folders
+        and not (starts and path.stem.startswith(starts))
+    ]
+    assert unnamed == []
 
 
 @pytest.mark.parametrize("path", sorted((ROOT / "generated").glob("*.py")), ids=lambda path: path.stem)

@@ -155,12 +155,12 @@ def test_methods_of_others_are_told_apart_in_pictures() -> None:
 @given(st.floats(-1, 3), st.floats(1e-9, 1))
 def test_an_exponent_is_found(power: float, start: float) -> None:
     rows = [
-        {"series": "s", "variable": "n", "amount": n, "seconds": {"median": start * n**power}, "bytes": None}
+        {"series": "s", "variable": "n", "amount": n, "seconds": {"median": start * n**power}, "bytes": 8 * n**2}
         for n in (10, 100, 1000, 10_000)
     ]
     (row,) = growth.exponents(rows)
     assert row.time == pytest.approx(power, abs=1e-9)
-    assert row.memory is None
+    assert row.memory == pytest.approx(2, abs=1e-9)
 
 
 def test_times_are_those_of_warm_calls_in_turn() -> None:

@@ -150,11 +150,12 @@ def test_mutants_fail(theory, label):
 def test_the_bench_says_what_the_judge_says(theory, label):
     """A counterexample found by the values of parts is one of the whole claim."""
     trial = Trial(theory, LEDGER[label])
-    for mutant in random.Random(label).sample(made_of(label), 8):
-        fate = trial.fate(mutant)
-        if fate.fate == KILLED:
-            judged = judge_statement(theory, LEDGER[label], mutant.number, mutant.statement, trial.given, judge)
-            assert judged.verdict == REFUTED, mutant.latex
+    chosen = random.Random(label).sample(made_of(label), 8)
+    killed = [mutant for mutant in chosen if trial.fate(mutant).fate == KILLED]
+    assert killed
+    for mutant in killed:
+        judged = judge_statement(theory, LEDGER[label], mutant.number, mutant.statement, trial.given, judge)
+        assert judged.verdict == REFUTED, mutant.latex
 
 
 def test_what_says_the_same_is_proved_to_do_so(theory):

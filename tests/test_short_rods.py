@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from spying import calls_of
 from test_shots import COUNT, short_rods
 
 from derive.emit.kernels import equilibria as kernel
@@ -71,15 +72,8 @@ def test_as_many_as_brute_force_beside_folds() -> None:
 
 def test_hardly_any_rod_is_left_to_the_search_by_ranges(monkeypatch: pytest.MonkeyPatch) -> None:
     """And those by it have the same equilibria."""
-    left: list[Any] = []
-    search = kernel.crossings
-
-    def counted(*rod: Any) -> Any:
-        left.append(rod)
-        return search(*rod)
-
-    monkeypatch.setattr(kernel, "crossings", counted)
-    arguments = [tuple(float(part[k]) for part in short_rods(5)[3:8]) for k in range(COUNT)]
+    left = calls_of(monkeypatch, kernel, "crossings")
+    arguments = [tuple(float(part[k]) for part in short_rods(5, slowest=SHORT_SLOW)[3:8]) for k in range(COUNT)]
 
     def solved(rod: Any) -> list[Any]:
         return all_equilibria(rod[0], rod[1], rod[2], rod[3], rod[4], None)

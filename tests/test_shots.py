@@ -7,6 +7,8 @@ from typing import Any
 
 import numpy as np
 import pytest
+from runge_kutta import angle_after
+from spying import calls_of
 
 from derive.emit.kernels import array_arithmetic as arrays
 from derive.emit.kernels import blocks
@@ -17,33 +19,20 @@ from derive.emit.kernels.blocks import sweep_arrays
 from derive.emit.kernels.equilibria import all_equilibria
 
 COUNT = 200
-STEPS = 400
 
 
-def short_rods(seed: int, count: int = COUNT) -> Rods:
+def short_rods(seed: int, count: int = COUNT, slowest: float = SHOT_SLOW) -> Rods:
     """Random rods that are short, in their own units."""
     rng = np.random.default_rng(seed)
     beta, eta = rng.random(count), rng.random(count)
-    slow = SHOT_SLOW * rng.uniform(0.01, 1, count)
+    slow = slowest * rng.uniform(0.01, 1, count)
     length, clamp, field = slow / np.sqrt(beta + eta), rng.uniform(-4, 4, count), rng.uniform(-pi / 2, pi / 2, count)
-    return Rods(np.arange(count), 1, 0, beta, eta, length, clamp, field, slow, slow > 0)
+    return Rods(np.arange(count), 1, 0, beta, eta, length, clamp, field, slow)
 
 
 def integrated(rods: Rods, tip: np.ndarray) -> np.ndarray:
-    """The angle after the rod's length from rest at the tip, by Runge and Kutta's method."""
-
-    def moment(theta: np.ndarray) -> np.ndarray:
-        return rods.beta * np.sin(theta) + rods.eta / 2 * np.sin(2 * (theta - rods.field_angle))
-
-    angle, speed, step = tip, 0 * tip, rods.length / STEPS
-    for _ in range(STEPS):
-        first = moment(angle)
-        second = moment(angle + step / 2 * speed)
-        third = moment(angle + step / 2 * speed + step * step / 4 * first)
-        fourth = moment(angle + step * speed + step * step / 2 * second)
-        angle = angle + step * speed + step * step / 6 * (first + second + third)
-        speed = speed + step / 6 * (first + 2 * second + 2 * third + fourth)
-    return angle
+    """The angle after the rod's length from rest at the tip."""
+    return angle_after(tip, rods.length, rods.beta, rods.eta, rods.field_angle)
 
 
 @pytest.mark.parametrize(("kind", "tolerance"), [(float, 1e-8), (np.float32, 2e-3)])
@@ -59,24 +48,16 @@ def test_where_a_motion_is_after_the_length_of_the_rod(kind: Any, tolerance: flo
 def test_all_tips_of_short_rods() -> None:
     rods = short_rods(2)
     with np.errstate(all="ignore"):
-        shots, unsure = shots_of(rods, COUNT)
+        shots, unsure = shots_of(rods)
     assert unsure.size < 3
-    ends = np.append(shots.first, shots.offset.size)
     for case in set(range(COUNT)) - set(unsure.tolist()):
         wanted = [item.tip_angle for item in all_equilibria(*(float(part[case]) for part in rods[3:8]), None)]
-        found = rods.clamp_angle[case] + np.sort(shots.offset[ends[2 * case] : ends[2 * case + 2]])
-        assert np.allclose(found, wanted, rtol=0, atol=1e-6)
+        found = rods.clamp_angle[case] + np.sort(shots.offset[shots.rod == case])
+        assert np.allclose(found, wanted, rtol=0, atol=1e-12)
 
 
 def test_short_rods_beside_the_astroid_are_not_left_to_the_scalar_solver(monkeypatch: pytest.MonkeyPatch) -> None:
-    left: list[Any] = []
-    scalar = blocks.one_by_one
-
-    def counted(*rod: Any) -> Any:
-        left.append(rod)
-        return scalar(*rod)
-
-    monkeypatch.setattr(blocks, "one_by_one", counted)
+    left = calls_of(monkeypatch, blocks, "one_by_one")
     angle = np.linspace(0.05, 1.5, COUNT)
     beta = 1 / (np.cos(angle) ** (2 / 3) + np.sin(angle) ** (2 / 3)) ** 1.5
     sweep_arrays(beta, np.full(COUNT, 1 + 1e-4), np.full(COUNT, 2.3), np.full(COUNT, 2.4), angle, angle.shape, None)

@@ -33,6 +33,14 @@ def point(place, g2, g3):
     return complex(place[0] * omega_1, place[1] * omega_3)
 
 
+def quasi_periods(g2, g3):
+    """η₁ = ζ(ω₁) and η₃/i = ζ(ω₃)/i."""
+    lattice = kernel.lattice_of(g2, g3)
+    if lattice.turned:
+        return -kernel.zeta_second(lattice), -lattice.zeta_first
+    return lattice.zeta_first, kernel.zeta_second(lattice)
+
+
 @given(gaps, places)
 @settings(max_examples=60, deadline=None)
 def test_against_the_checker(sizes, place):
@@ -76,7 +84,7 @@ def test_identities(sizes, place):
     u, loss = point(place, g2, g3), 4000 * ULP / share
     p, slope = kernel.wp(u, g2, g3), kernel.wp_prime(u, g2, g3)
     assert abs(slope**2 - (4 * p**3 - g2 * p - g3)) <= loss * (4 * abs(p) ** 3 + g2**1.5)
-    (omega_1, omega_3), (eta_1, eta_3) = kernel.half_periods(g2, g3), kernel.quasi_periods(g2, g3)
+    (omega_1, omega_3), (eta_1, eta_3) = kernel.half_periods(g2, g3), quasi_periods(g2, g3)
     assert abs(eta_1 * omega_3 - eta_3 * omega_1 - np.pi / 2) < 8 * ULP * (1 + abs(eta_1 * omega_3))
     for period, turn in ((omega_1, eta_1), (1j * omega_3, 1j * eta_3)):
         here, there = kernel.wzeta(u, g2, g3), kernel.wzeta(u + 2 * period, g2, g3)

@@ -26,7 +26,7 @@ Answer = tuple[VERDICTS, str, dict[str, str] | None, str]
 
 
 def judge(claim: Claim, seconds: float | None = SECONDS) -> Verdict:
-    """The verdict on a claim, within a time limit in seconds, None for no limit.
+    """The verdict on a claim, within so many seconds of the processor, None for no limit.
 
     At the limit it is UNKNOWN, or AGREED if it held at random points.
     """

@@ -15,6 +15,7 @@ from derive.measure.atlas_points import OURS, TITLES
 from derive.measure.bench.families import Record
 
 LOWEST, HIGHEST = -1.0, 16.0  # powers of ten of the error in bounds
+# Kind of failure, its sign, and what the legend says; the first that applies is drawn. Others are a diamond.
 SIGNS = (
     ("no value", "x", "no value"),
     ("raises", "x", "no value"),
@@ -23,7 +24,6 @@ SIGNS = (
     ("wrong number", "s", "wrong number of equilibria"),
     ("missed", "s", "wrong number of equilibria"),
 )
-"""Kind of failure, its sign, and what the legend says; the first that applies is drawn. Others are a diamond."""
 OTHER = ("D", "other failure")
 BEYOND = ("+", "beyond the bound (of ours alone)")
 MOST_LABELS = 8

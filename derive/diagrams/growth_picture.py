@@ -18,8 +18,7 @@ def pictures(records: Sequence[Record], kind: str) -> Iterator[tuple[str, bytes]
         drawing = figure(figsize=(11.5, 5.8))
         left, right = drawing.subplots(1, 2)
         draw(left, records, "seconds", lambda record: record["seconds"]["median"], "time")
-        kept = [record for record in records if record["bytes"]]
-        draw(right, kept, "megabytes", lambda record: record["bytes"] / 1e6, "memory")
+        draw(right, records, "megabytes", lambda record: max(1, record["bytes"]) / 1e6, "memory")
         drawing.tight_layout()
         yield "growth", saved(drawing, kind, bbox_inches="tight")
 

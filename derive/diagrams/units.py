@@ -11,7 +11,7 @@ from derive.numbers import MistakeError
 
 @cache
 def registry() -> Any:
-    """Pint's registry of units, with what makes an angle no bare number."""
+    """Pint's registry of units; MistakeError without pint."""
     try:
         import pint
     except ModuleNotFoundError as error:

@@ -63,7 +63,7 @@ class _Writer(Transformer):
         """``not any_of(x != 0)`` as x == 0."""
         self.generic_visit(node)
         test = node.operand
-        if isinstance(node.op, ast.Not) and isinstance(test, ast.Compare) and isinstance(test.ops[0], ast.NotEq):
+        if isinstance(node.op, ast.Not) and isinstance(test, ast.Compare) and [*map(type, test.ops)] == [ast.NotEq]:
             return ast.copy_location(ast.Compare(test.left, [ast.Eq()], test.comparators), node)
         return node
 

@@ -134,16 +134,25 @@ def compare(result: Agreement, reference: Reference, values: Mapping[str, Any], 
     """Enter the errors of one equilibrium where they are the worst so far."""
     rod = reference.rod
     for name, value in values.items():
-        quantity = name.split("(")[0] + "(s)" if "(" in name else name
+        quantity, error = quantity_of(name), off(value, reference.values[name])
         size = natural_size(quantity, rod)
-        with mp.workdps(DIGITS + 5):
-            error = abs(float(mpf(value) - reference.values[name]))
         roundings = error / (unit * (size + reference.sensitivity[name]))
         worst = result.rows.get(quantity)
         if not isfinite(error):
             result.faults.append(f"{quantity} is {value} at {rod}")
         elif worst is None or roundings > worst.roundings:
             result.rows[quantity] = Row(quantity, error, error / size, roundings, str(rod))
+
+
+def quantity_of(name: str) -> str:
+    """Whose value a name is, as θ(s) of θ(0.5ℓ): those of all places along a rod count as one."""
+    return name.split("(")[0] + "(s)" if "(" in name else name
+
+
+def off(value: Any, known: Any) -> float:
+    """How far a value is from that of a reference, whose digits all count."""
+    with mp.workdps(DIGITS + 5):
+        return abs(float(mpf(value) - known))
 
 
 def natural_size(quantity: str, rod: Rod) -> float:

@@ -16,9 +16,8 @@ from types import ModuleType
 from typing import Any
 
 import numpy as np
-from mpmath import mp, mpf
 
-from derive.measure.agreement import answers, arguments, natural_size
+from derive.measure.agreement import answers, arguments, natural_size, off, quantity_of
 from derive.measure.atlas_maps import Map, rod_at
 from derive.measure.atlas_peers import Peer
 from derive.measure.atlas_stiff import ALL_PEERS
@@ -26,7 +25,7 @@ from derive.measure.counts import STIFFEST, count
 from derive.measure.hard import SIZES, ULP, reference, same, wrong_in_kind
 from derive.measure.long_rods import Refined
 from derive.measure.packages import absent
-from derive.measure.reference import DIGITS, Rod
+from derive.measure.reference import Rod
 
 OURS = "ours"
 TITLES = {OURS: "ours", **{name: peer.title for name, peer in ALL_PEERS.items()}}
@@ -68,10 +67,8 @@ class Record:
         """The errors of one equilibrium."""
         self.compared += 1
         for name, value in values.items():
-            quantity = name.split("(")[0] + "(s)" if "(" in name else name
+            quantity, error = quantity_of(name), off(value, known.reference.values[name]) / ULP
             size, sensitivity = natural_size(quantity, rod), known.reference.sensitivity[name]
-            with mp.workdps(DIGITS + 5):
-                error = abs(float(mpf(value) - known.reference.values[name])) / ULP
             bounds = error / (SIZES * size + sensitivity)
             if not isfinite(error):
                 self.fail("nan", f"{name} is {value}")

@@ -7,12 +7,10 @@ from math import isfinite, sqrt
 from types import ModuleType
 from typing import Any
 
-from mpmath import mp, mpf
-
-from derive.measure.agreement import DOUBLE, Agreement, Row, arguments
+from derive.measure.agreement import DOUBLE, Agreement, Row, arguments, off
 from derive.measure.fold_references import QUANTITIES, FoldList, FoldReference, refined
 from derive.measure.folds import NoFoldError
-from derive.measure.reference import DIGITS, Rod
+from derive.measure.reference import Rod
 
 # The twins take seconds for a wide range: they are asked for one of this share around each fold.
 WINDOW = 1 / 64
@@ -97,8 +95,7 @@ def enter_point(
         if getattr(found, name) != getattr(reference, name):
             result.faults.append(f"{name} {getattr(found, name)} instead of {getattr(reference, name)} at {at}")
     for name, size in sizes.items():
-        with mp.workdps(DIGITS + 5):
-            error = abs(float(mpf(getattr(found, name)) - reference.values[name]))
+        error = off(getattr(found, name), reference.values[name])
         roundings = error / (unit * (size + reference.sensitivity[name]))
         quantity, worst = f"{what} {name}", result.rows.get(f"{what} {name}")
         if not isfinite(error):

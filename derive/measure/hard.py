@@ -17,9 +17,9 @@ from types import ModuleType
 from typing import Any
 
 import numpy as np
-from mpmath import mp, mpf
+from mpmath import mpf
 
-from derive.measure.agreement import answers, arguments, natural_size
+from derive.measure.agreement import answers, arguments, natural_size, off, quantity_of
 from derive.measure.chains import Guess
 from derive.measure.counts import STIFFEST, count
 from derive.measure.long_rods import Refined, refine
@@ -178,10 +178,8 @@ def compare(result: Hardness, case: Case, refined: Refined, values: dict[str, An
     """Enter the errors of one equilibrium."""
     known = refined.reference
     for name, value in values.items():
-        quantity = name.split("(")[0] + "(s)" if "(" in name else name
+        quantity, error = quantity_of(name), off(value, known.values[name])
         size = natural_size(quantity, case.rod)
-        with mp.workdps(DIGITS + 5):
-            error = abs(float(mpf(value) - known.values[name]))
         if not isfinite(error):
             result.faults.append(f"{case.name}: {name} is {value} at {exact(case.rod)}")
         result.enter(case, quantity, error / ULP / size, error / ULP / (SIZES * size + known.sensitivity[name]))

@@ -22,9 +22,8 @@ from derive.measure.segments import Load, sine_versine
 
 # Digits of the heights for every unit of scaled length: e^{−2ℓ}, and those of the answer come on top.
 DIGITS_PER_LENGTH = 0.87
-SAMPLES = (
-    1000  # per radian; pairs of directions of rest that are closer are missed, which only costs relative precision
-)
+# Per radian; pairs of directions of rest that are closer are missed, which only costs relative precision.
+SAMPLES = 1000
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,8 @@ from numpy.typing import NDArray
 from derive.measure.reference import Rod
 
 Array = NDArray[np.float64]
+Curve = Callable[[Array], Array]
+Arrive = Callable[[Array], tuple[Array, Array]]
 STIFFEST = 20.0
 ORDER = 14
 LONGEST_STEP = 0.25  # in scaled length: the singularities are about 1.5 away, so a step errs by some (1/6)**15
@@ -33,26 +35,6 @@ def brute_force(rod: Rod) -> list[float]:
     """The tip angles of all equilibria, ascending, to about 1e-7; ValueError beyond the limits of doubles."""
     if rod.length * np.sqrt(rod.beta + rod.eta) > STIFFEST * (1 + 1e-12):
         raise ValueError(f"brute force is for ℓ√(β+η) ≤ {STIFFEST}; this rod has more: {rod}")
-    tips = candidates(rod)
-    _, h = shoot(rod, tips)
-    turn = np.flatnonzero(np.signbit(h[1:]) != np.signbit(h[:-1]))
-    extrema = cut(lambda tip: shoot(rod, tip)[1], tips[turn], tips[turn + 1])
-    tips = np.unique(np.concatenate([tips, extrema]))
-    miss = shoot(rod, tips)[0] - rod.clamp_angle
-    cross = np.flatnonzero(np.signbit(miss[1:]) != np.signbit(miss[:-1]))
-    found = cut(lambda tip: shoot(rod, tip)[0] - rod.clamp_angle, tips[cross], tips[cross + 1])
-    found = np.unique(found)
-    return [float(tip) for tip in found[np.diff(found, prepend=-np.inf) > NOISE]]
-
-
-def candidates(rod: Rod) -> Array:
-    """Tip angles to try: an even grid, and offsets in geometric progression from every critical tip.
-
-    A tip at rest cannot be a whole turn away from the clamp. Critical are the directions of equilibrium (a long rod
-    leaves them exponentially slowly) and the tips at the level of one of the unstable ones (the rod lingers there).
-    """
-    low, high = rod.clamp_angle - 2 * np.pi, rod.clamp_angle + 2 * np.pi
-    grid = np.linspace(low, high, GRID)
 
     def couple(angle: Array) -> Array:
         return rod.beta * np.sin(angle) + rod.eta / 2 * np.sin(2 * (angle - rod.field_angle))
@@ -60,26 +42,50 @@ def candidates(rod: Rod) -> Array:
     def potential(angle: Array) -> Array:
         return rod.beta * np.cos(angle) + rod.eta / 2 * np.cos(angle - rod.field_angle) ** 2
 
+    return crossings(rod.clamp_angle, couple, potential, lambda tips: shoot(rod, tips))
+
+
+def crossings(clamp_angle: float, couple: Curve, potential: Curve, arrive: Arrive) -> list[float]:
+    """The tip angles, ascending, at which θ(0) crosses the clamp angle.
+
+    couple, potential: θ″ at an angle, and what it is the falling slope of. arrive: θ(0) and h(0) of tip angles.
+    """
+    tips = candidates(clamp_angle, couple, potential)
+    _, h = arrive(tips)
+    turn = np.flatnonzero(np.signbit(h[1:]) != np.signbit(h[:-1]))
+    extrema = cut(lambda tip: arrive(tip)[1], tips[turn], tips[turn + 1])
+    found = zeros(lambda tip: arrive(tip)[0] - clamp_angle, np.unique(np.concatenate([tips, extrema])))
+    found = np.unique(found)
+    return [float(tip) for tip in found[np.diff(found, prepend=-np.inf) > NOISE]]
+
+
+def candidates(clamp_angle: float, couple: Curve, potential: Curve) -> Array:
+    """Tip angles to try: an even grid, and offsets in geometric progression from every critical tip.
+
+    A tip at rest cannot be a whole turn away from the clamp. Critical are the directions of equilibrium (a long rod
+    leaves them exponentially slowly) and the tips at the level of one of the unstable ones (the rod lingers there).
+    """
+    low, high = clamp_angle - 2 * np.pi, clamp_angle + 2 * np.pi
+    grid = np.linspace(low, high, GRID)
     rest = zeros(couple, np.linspace(low - 7, high + 7, 3 * GRID))
 
-    def same_level(at: Array) -> Array:
-        return zeros(lambda angle: potential(angle) - potential(at), grid)
+    def same_level(level: float) -> Array:
+        return zeros(lambda angle: potential(angle) - level, grid)
 
-    levels = np.concatenate([same_level(rest[k : k + 1]) for k in range(len(rest))])
-    critical = np.concatenate([rest, levels])
+    critical = np.concatenate([rest, *map(same_level, potential(rest))])
     near = np.concatenate([critical[:, None] + OFFSETS, critical[:, None] - OFFSETS]).ravel()
     tips = np.unique(np.concatenate([grid, critical, near]))
     return tips[(tips >= low) & (tips <= high)]
 
 
-def zeros(function: Callable[[Array], Array], grid: Array) -> Array:
+def zeros(function: Curve, grid: Array) -> Array:
     """Where a function changes sign on a grid."""
     values = function(grid)
     at = np.flatnonzero(np.signbit(values[1:]) != np.signbit(values[:-1]))
     return cut(function, grid[at], grid[at + 1])
 
 
-def cut(function: Callable[[Array], Array], low: Array, high: Array) -> Array:
+def cut(function: Curve, low: Array, high: Array) -> Array:
     """One zero in each of many brackets at once."""
     if not low.size:
         return low

@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from derive.measure.scan import GRID, NOISE, OFFSETS, ORDER, STIFFEST, Array, convolve, cut, horner, zeros
 from derive.measure.scan import LONGEST_STEP as STEP
+from derive.measure.scan import ORDER, STIFFEST, Array, Curve, convolve, crossings, horner
 from derive.own_energy.integration import size_of
 from derive.own_energy.law import Trigonometric, at_loads, evaluate, slope
 
@@ -19,34 +19,10 @@ def brute_force(law: dict[str, Any], rod: Any) -> list[float]:
     at = [float(load) for load in rod.loads], float(np.cos(rod.field_angle)), float(np.sin(rod.field_angle)), float
     couple, density = at_loads(law["couple"], *at), at_loads(law["density"], *at)
 
-    def miss(tips: Array) -> Array:
-        return shoot(couple, rod, tips)[0] - rod.clamp_angle
+    def along(part: Trigonometric) -> Curve:
+        return lambda angle: np.asarray(evaluate(part, np.cos(angle), np.sin(angle)) + 0 * angle)
 
-    tips = candidates(couple, density, rod.clamp_angle)
-    _, h = shoot(couple, rod, tips)
-    turn = np.flatnonzero(np.signbit(h[1:]) != np.signbit(h[:-1]))
-    extrema = cut(lambda tip: shoot(couple, rod, tip)[1], tips[turn], tips[turn + 1])
-    tips = np.unique(np.concatenate([tips, extrema]))
-    off = miss(tips)
-    cross = np.flatnonzero(np.signbit(off[1:]) != np.signbit(off[:-1]))
-    found = np.unique(cut(miss, tips[cross], tips[cross + 1]))
-    return [float(tip) for tip in found[np.diff(found, prepend=-np.inf) > NOISE]]
-
-
-def candidates(couple: Trigonometric, density: Trigonometric, clamp_angle: float) -> Array:
-    """Tip angles to try: an even grid, and offsets from the directions of rest and from the tips at their level."""
-    low, high = clamp_angle - 2 * np.pi, clamp_angle + 2 * np.pi
-    grid = np.linspace(low, high, GRID)
-
-    def value(part: Trigonometric, angle: Array) -> Array:
-        return np.asarray(evaluate(part, np.cos(angle), np.sin(angle)) + 0 * angle)
-
-    rest = zeros(lambda angle: value(couple, angle), np.linspace(low - 7, high + 7, 3 * GRID))
-    levels = [zeros(lambda angle, at=at: value(density, angle) - at, grid) for at in value(density, rest)]  # type: ignore[misc]
-    critical = np.concatenate([rest, *levels])
-    near = np.concatenate([critical[:, None] + OFFSETS, critical[:, None] - OFFSETS]).ravel()
-    tips = np.unique(np.concatenate([grid, critical, near]))
-    return tips[(tips >= low) & (tips <= high)]
+    return crossings(rod.clamp_angle, along(couple), along(density), lambda tips: shoot(couple, rod, tips))
 
 
 def shoot(couple: Trigonometric, rod: Any, tips: Array) -> tuple[Array, Array]:

@@ -9,13 +9,13 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from derive import stages
+from derive import comparison, stages
 from derive.own_energy.derivation import Derivation
 from derive.stages import Task, plain
 
 HERE = Path(__file__).resolve().parent
 OWN_REFERENCE = tuple(HERE / f"{name}.py" for name in ("law", "integration", "scan", "references", "rods"))
-LAWS = (*stages.REFERENCE, *OWN_REFERENCE)
+LAWS = (*comparison.REFERENCE, *OWN_REFERENCE)
 
 _held: dict[str, Derivation] = {}
 
@@ -106,5 +106,5 @@ def reference_task(law: dict[str, Any], rod: dict[str, Any]) -> Task:
 
 def agree_task(module: dict[str, Any], rods: list[dict[str, Any]], known: list[Any]) -> Task:
     """The task that compares a module with the references."""
-    paths = (*stages.AGREEMENT, *OWN_REFERENCE)
+    paths = (*comparison.AGREEMENT, *OWN_REFERENCE)
     return Task("own agreement", module["name"], agree, (module["text"], module["backend"], rods, known), paths)

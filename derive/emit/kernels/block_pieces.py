@@ -33,10 +33,7 @@ SHARP = 0.01  # the same from which on the dips are too narrow for the samples h
 
 
 class Rods(NamedTuple):
-    """Rods in their own units of length: see ``equilibria.Rod``. case: their number in the block; slow: ℓ√(β + η).
-
-    shot: whether all their tips are known nearly, by ``block_shots``.
-    """
+    """Rods in their own units of length: see ``equilibria.Rod``. case: their number in the block; slow: ℓ√(β + η)."""
 
     case: Any
     side: Any
@@ -47,7 +44,6 @@ class Rods(NamedTuple):
     clamp_angle: Any
     field_angle: Any
     slow: Any
-    shot: Any
 
 
 class Group(NamedTuple):
@@ -86,7 +82,7 @@ def groups(rods):
             if which.size:
                 given, piece = rows(some, which), build(rows(ground, which))
                 group = Group(given, clamp.turns[which], full(which.shape, rank), piece, None)
-                parts, sharp = by_dips(group, given.shot | in_time(given, piece))
+                parts, sharp = by_dips(group, in_time(given, piece))
                 found += parts
                 doubtful.append(sharp)
     return found, straight, concatenate(doubtful)
@@ -95,11 +91,7 @@ def groups(rods):
 def by_dips(group, wanted):
     """The ranges that are wanted, without and with a dip, and the cases left to the scalar solver, for their dip is
     too sharp."""
-    shot = group.rods.shot
-    if shot.all():
-        return [group], zeros(0, dtype=int)
     missing, dip = nearly_ridge(group.rods, group.piece)
-    missing = where(shot, inf, missing)
     plain, wide = wanted & (missing > NEARLY), wanted & (missing <= NEARLY) & (missing >= SHARP)
     parts = [rows(group, plain)] if plain.any() else []
     if wide.any():

@@ -88,14 +88,6 @@ def zeta_second(lattice):
     return (lattice.zeta_first * lattice.second - pi / 2) / lattice.first
 
 
-def quasi_periods(g2, g3):
-    """η₁ = ζ(ω₁) and η₃/i = ζ(ω₃)/i."""
-    lattice = lattice_of(g2, g3)
-    if lattice.turned:
-        return -zeta_second(lattice), -lattice.zeta_first
-    return lattice.zeta_first, zeta_second(lattice)
-
-
 def cell_of(u, lattice):
     """The argument u in the cell around 0, elementwise."""
     w = 1j * u if lattice.turned else u + 0j

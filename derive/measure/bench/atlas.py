@@ -16,7 +16,7 @@ from derive.measure.packages import left_out
 from derive.measure.reference import Rod
 
 PARTS = {"atlas": "errors at the extremes, ours beside what people use today"}
-SIZE, MOST = 6, 3  # rods a side of a map, and equilibria of a rod that are refined
+SIZE, MOST = 11, 3  # rods a side of a map, and equilibria of a rod that are refined
 # What a quick run takes: maps that are made at once, one equilibrium of each rod.
 QUICK = {"loads_parallel": 3, "angles": 2}
 LIMIT = 1.0  # in bounds

@@ -31,14 +31,13 @@ def measure(series: Series, amount: int, budget: float) -> Record:
     call = series.prepare(amount)
     found, seconds = alone(call, budget)
     counted = series.counted(found) if series.counted else amount
-    memory = peak_memory(call) if series.memory else None
     return {
         "series": series.name,
         "variable": series.variable,
         "value": amount,
         "amount": counted,
         "seconds": asdict(Times.of(seconds)),
-        "bytes": memory,
+        "bytes": peak_memory(call),
     }
 
 
@@ -51,8 +50,8 @@ class Grown:
     amounts: Sequence[float]
     seconds: Sequence[float]
     time: float
-    bytes: Sequence[int] | None
-    memory: float | None
+    bytes: Sequence[int]
+    memory: float
 
 
 def exponents(records: Sequence[Record]) -> list[Grown]:
@@ -68,15 +67,14 @@ def exponents(records: Sequence[Record]) -> list[Grown]:
 def grown(rows: Sequence[Record]) -> Grown:
     """What one series shows, from the least amount to the largest."""
     upper, ends = rows[-max(2, (len(rows) + 1) // 2) :], (rows[0], rows[-1])
-    kept = all(row["bytes"] is not None for row in rows)
     return Grown(
         rows[0]["series"],
         rows[0]["variable"],
         [row["amount"] for row in ends],
         [row["seconds"]["median"] for row in ends],
         slope(upper, lambda row: float(row["seconds"]["median"])),
-        [row["bytes"] for row in ends] if kept else None,
-        slope(upper, lambda row: max(1.0, row["bytes"])) if kept else None,
+        [row["bytes"] for row in ends],
+        slope(upper, lambda row: max(1.0, row["bytes"])),
     )
 
 
@@ -96,15 +94,14 @@ def rows(records: Sequence[Record]) -> list[list[str]]:
     """The cells of HEAD for each series."""
     found = []
     for row in exponents(records):
-        sizes = "–" if row.bytes is None else " … ".join(f"{number / 1e6:.2g} MB" for number in row.bytes)
         cells = [
             row.series,
             row.variable,
             f"{row.amounts[0]:g} … {row.amounts[1]:g}",
             " … ".join(tables.seconds(value) for value in row.seconds),
             f"{row.variable}^{row.time:.2f}",
-            sizes,
-            "–" if row.memory is None else f"{row.variable}^{row.memory:.2f}",
+            " … ".join(f"{number / 1e6:.2g} MB" for number in row.bytes),
+            f"{row.variable}^{row.memory:.2f}",
         ]
         found.append(cells)
     return found

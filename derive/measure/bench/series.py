@@ -20,17 +20,13 @@ SHUFFLE = 7  # the seed of the order of formulas and of points
 
 @dataclass(frozen=True)
 class Series:
-    """prepare: from an amount to the call. counted: the work that a call's result says it was, where not the amount.
-
-    memory: whether it is measured; not where tracing it would take many times as long as the work.
-    """
+    """prepare: from an amount to the call. counted: the work that a call's result says it was, where not the amount."""
 
     name: str
     variable: str
     amounts: Sequence[int]
     prepare: Callable[[int], Callable[[], Any]]
     counted: Callable[[Any], int] | None = None
-    memory: bool = True
 
 
 def shape(number: int) -> Callable[[], Any]:
@@ -99,5 +95,5 @@ SERIES = (
     Series("all equilibria, mpmath", "digits", (15, 30, 60, 120, 240, 480), twin),
     # The last amount is ten blocks, which shows whether memory is bounded by the block.
     Series("a sweep", "rods", (80, 800, 8000, 80_000), sweep),
-    Series("formulas judged", "formulas", (4, 8, 16, 32, 64), formulas, memory=False),
+    Series("formulas judged", "formulas", (4, 8, 16, 32, 64), formulas),
 )

@@ -65,6 +65,12 @@ def found(record: Record) -> str:
     return "–" if errors["worst"] is None and not record["whole"] else f"{errors['found']} of {errors['of']}{extra}"
 
 
+def spread(record: Record) -> str:
+    """From the least time to the most."""
+    time = record["seconds"]
+    return f"{seconds(time['low'])} … {seconds(time['high'])}" if time["runs"] > 1 else "one run"
+
+
 def shown_setting(record: Record) -> str:
     """With what is told of it besides."""
     part = "" if record["whole"] else " (in part)"
@@ -78,15 +84,15 @@ def section(records: Sequence[Record], note: str) -> list[str]:
     best = {record["key"] for record in front(records)}
     lines = [title, "", note, "", HEAD.format(unit=records[0]["unit"]), "|---" * 9 + "|"]
     for record in records:
-        time, errors = record["seconds"], record["errors"]
+        errors = record["errors"]
         cells = (
             record["method"],
             shown_setting(record),
             error(errors["worst"]),
             error(errors["median"]),
             found(record),
-            seconds(time["median"]),
-            f"{seconds(time['low'])} … {seconds(time['high'])}" if time["runs"] > 1 else "one run",
+            seconds(record["seconds"]["median"]),
+            spread(record),
             ratio(record["ratio"]["median"]),
             "•" if record["key"] in best else "",
         )

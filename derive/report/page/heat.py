@@ -11,7 +11,8 @@ from markupsafe import Markup
 from derive.measure.atlas_points import TITLES
 from derive.report.page.chart import text
 
-SIDE, GAP, TOP, LINE = 22, 24, 22, 16  # of a square, between panels, above them, and a line of words
+SIDE, GAP, TOP, LINE = 16, 24, 22, 16  # of a square, between panels, above them, and a line of words
+INSIDE = 4  # from the sides of a square to a cross in it
 LEAST_PANEL = 190  # so that titles do not run into one another
 LEAST_WIDTH = 840  # the page scales pictures to its width; squares should be alike in all
 LOWEST, HIGHEST = -1.0, 16.0  # powers of ten of the error in bounds
@@ -46,8 +47,8 @@ def square(record: Mapping[str, Any], one: Mapping[str, Any], left: float, top: 
     said = "; ".join([", ".join(record["at"]), error, *one["failures"]])
     shape = Markup('<g><rect x="{}" y="{}" width="{}" height="{}" fill="{}"/>{}<title>{}</title></g>')
     cross = Markup('<path class="cross" d="M{},{}l{},{}m0,-{}l-{},{}"/>')
-    inner = SIDE - 10
-    crossed = cross.format(x + 5, top + 5, *[inner] * 5) if one["failures"] else Markup("")
+    arm = SIDE - 1 - 2 * INSIDE
+    crossed = cross.format(x + INSIDE, top + INSIDE, *[arm] * 5) if one["failures"] else Markup("")
     return shape.format(x, top, SIDE - 1, SIDE - 1, colour(one["bounds"]), crossed, said)
 
 

@@ -15,12 +15,12 @@ from derive.measure.bench import atlas as extremes
 from derive.measure.bench import growth as growing
 from derive.measure.bench import stability as searches
 from derive.measure.bench import tables
+from derive.measure.bench.cells import OURS
 from derive.measure.bench.families import Record
 from derive.report.page.chart import Point, chart
 from derive.report.page.heat import heat
 
 COLUMNS = ("method", "setting", "worst error", "found", "time", "from … to", "over ours")
-OURS = "ours"  # the group of our own solvers
 
 
 def measured(given: Mapping[str, Any] | None) -> dict[str, Any] | None:
@@ -62,17 +62,14 @@ def point(record: Record) -> Point | None:
 
 def cells(record: Record) -> list[str]:
     """One row."""
-    errors, time = record["errors"], record["seconds"]
-    more = f", {errors['spurious']} more" if errors["spurious"] else ""
-    spread = f"{tables.seconds(time['low'])} … {tables.seconds(time['high'])}" if time["runs"] > 1 else "one run"
     return [
         record["method"],
-        record["setting"] + ("" if record["whole"] else " (in part)"),
-        tables.error(errors["worst"]),
-        f"{errors['found']} of {errors['of']}{more}",
-        tables.seconds(time["median"]),
-        spread,
-        f"{record['ratio']['median']:.2g}",
+        tables.shown_setting(record),
+        tables.error(record["errors"]["worst"]),
+        tables.found(record),
+        tables.seconds(record["seconds"]["median"]),
+        tables.spread(record),
+        tables.ratio(record["ratio"]["median"]),
     ]
 
 

@@ -11,6 +11,8 @@ from functools import partial
 from math import ceil, log2
 from typing import Any
 
+from mpmath import mp, mpf
+
 from derive.measure.bench.cells import PEER, Cell, Method, Problem
 from derive.measure.bench.families import Plan
 from derive.measure.bench.methods.emitted import DIGITS, ready
@@ -34,8 +36,6 @@ def values(kind: str, u: Sequence[float], half_periods: tuple[str, str], digits:
 
 def as_numbers(digits: int, found: Sequence[Any]) -> list[Any]:
     """The middles of the real parts as numbers of mpmath; outside the time."""
-    from mpmath import mp, mpf
-
     with mp.workdps(digits + 10):
         return [mpf(one.real.mid().str(digits + 5, radius=False)) for one in found]
 

@@ -13,6 +13,7 @@ from types import ModuleType
 from typing import Any
 
 import numpy as np
+from mpmath import mp, mpf
 
 from derive.emit.kernels import carlson, weierstrass
 from derive.measure.bench.cells import OURS, VARIANT, Call, Cell, Method, Problem
@@ -45,8 +46,6 @@ def twin_cells(problem: Problem, plan: Plan) -> Iterator[Cell]:
 
 def twin(module: ModuleType, given: Lattice, digits: int) -> Call:
     """σ by the exponential of the logarithm that the article's formulas need."""
-    from mpmath import mp, mpf
-
     points = [mpf(x) for x in given.u[given.sample].tolist()]
     function = getattr(module, {"p": "wp", "zeta": "wzeta", "sigma": "wlog_sigma"}[given.kind])
 

@@ -8,6 +8,7 @@ from functools import partial
 from typing import Any
 
 import numpy as np
+from mpmath import mp, mpf
 
 from derive.emit.kernels.weierstrass import half_period_values, half_periods
 from derive.measure.bench import judged, known
@@ -62,8 +63,6 @@ def problems(plan: Plan) -> Iterator[Problem]:
 
 def exact_half_periods(g2: float, g3: float, digits: int) -> tuple[str, str]:
     """ω₁ and ω₃/i to many digits, by mpmath's own complete integral; what a peer is given, never a reference."""
-    from mpmath import mp, mpf
-
     with mp.workdps(digits + 15):
         roots = sorted((mp.re(x) for x in mp.polyroots([4, 0, -mpf(g2), -mpf(g3)], maxsteps=500)), reverse=True)
         scale, m = mp.sqrt(roots[0] - roots[2]), (roots[1] - roots[2]) / (roots[0] - roots[2])
