@@ -59,7 +59,7 @@ def miss_of(beta, eta, field_angle, clamp_angle, slow):
     The rod's length is 1; slow: √(β + η).
     """
     # ℘ by its series on a part of the rod, and by as many doublings as make that the whole.
-    doublings, share = 0, 1
+    doublings, share = 0, 1.0
     while slow * share > SERIES_SLOW:
         doublings, share = doublings + 1, share / 2
     force, field, steps = beta * share * share, eta * share * share, range(doublings)
