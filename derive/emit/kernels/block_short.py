@@ -44,7 +44,7 @@ def short_rods(rods, shots, most):
     index = where(shots.rising, 0, 1)
     shots, index = rows((shots, index), index <= most)
     some = rows(rods, shots.rod)
-    offset, tip = nearest(load_of(some), shots)
+    offset, tip = last_step(load_of(some), shots)
     bent = bent_along(tip.quartic, some.slow)
     beta, eta, length, unit = some.beta, some.eta, some.length, ldexp(1.0, some.scale)
     cosine, sine, double_cosine, double_sine = tip.heading
@@ -68,7 +68,7 @@ def short_rods(rods, shots, most):
     )
 
 
-def nearest(load, shots):
+def last_step(load, shots):
     """The offsets and tips, nearer than numbers are to each other.
 
     At the clamp rounding of the tip angle shows up to cosh(ℓ√(β + η)) times. A last step of Newton's is therefore made
