@@ -20,7 +20,7 @@ CLOSEST = 2.0**-26  # least distance of samples, as a share of how far a tip may
 UNSURE = 1e-10  # as a share of the same, what is missed of which the hundredth part may be wrong
 SLACK = 0.02  # by how much more than the bound samples must be apart for that
 REACH = 1e-3  # by how much more than a bound tips are looked for
-ALIKE = 1e-14  # as ``UNSURE``, what rounding may have made of zero
+ALIKE = 4e-16  # as ``UNSURE``, what rounding may have made of zero
 SHOT_SERIES_SLOW = 0.6  # ℓ√(β + η) up to which the series of ℘ is right to 3e-13
 
 
