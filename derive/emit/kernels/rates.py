@@ -29,7 +29,7 @@ def mean_less_field(eta, basin, centre, half_width, near, far, height, there, me
     """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
     level."""
     apart = mean - eta
-    close = apart <= 0.1 * eta
+    close = apart <= 0.3 * eta
     if there is not None:
         return larger(pick(close, far - 2 * eta * sin(there.lean) * sin(there.lean), apart), epsilon() * far / 4)
     if any_of(close):

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/rates.py: do not edit, change that file.
 
-Digest of the inputs: sha256 8a9bdc4d62ad0a4d21b88ba2c64dccaddb7c309abdcfd5306d584e027567b965
+Digest of the inputs: sha256 abaa83751f185f0009ab4fde51ce87f6f445f70b18d3acf5a4a68b52f673ff4a
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ def mean_less_field_each(eta, basin, centre, half_width, near, far, height, ther
     """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
     level."""
     apart = mean - eta
-    close = apart <= 0.1 * eta
+    close = apart <= 0.3 * eta
     if there is not None:
         return larger(
             each_pick(close, far - 2 * eta * each_sin(there.lean) * each_sin(there.lean), apart), epsilon() * far / 4
