@@ -57,6 +57,15 @@ def test_phases_are_right_to_two_roundings_of_the_length() -> None:
             assert abs(met - mpf(length)) < PHASES * ULP * length, (a, b, length)
 
 
+@pytest.mark.parametrize("b", [1e-9, 0.3, 0.71, 0.999, 1.0, 1.4, 40.0, 1e20])
+@pytest.mark.parametrize("rest", [0.0, 1e-305, 4.8e-299, 1e-200, 1e-60])
+def test_lengths_all_but_at_the_end_of_the_half_swing(b: float, rest: float) -> None:
+    swing, arrival = swing_and_arrival(1.0, b, 1.0, rest)
+    with mp.workdps(40):
+        assert abs(arrival / length_of(1.0, b, 1, rest) - 1) < LENGTHS * ULP
+    assert arrival <= swing * (1 + 2 * ULP)
+
+
 def test_a_phase_at_the_end_of_the_half_swing() -> None:
     swing, arrival = swing_and_arrival(0.3, 2.0, 1.0, 0.0)
     assert arrival == swing

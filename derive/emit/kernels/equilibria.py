@@ -29,8 +29,9 @@ from derive.emit.kernels.arithmetic import (
 )
 from derive.emit.kernels.ground import Clamp, clamp_in, ground_of, ridge_of
 from derive.emit.kernels.hits import hits
-from derive.emit.kernels.landscape import landscape, mirror_landscape
+from derive.emit.kernels.landscape import landscape
 from derive.emit.kernels.pieces import pieces
+from derive.emit.kernels.rests import mirror_landscape
 from derive.emit.kernels.search import Stay, crossings
 from derive.emit.kernels.shots import mirror_shots, tip_shots
 from derive.emit.kernels.swing import phase_of, speed_at
