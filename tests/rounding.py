@@ -1,6 +1,6 @@
 """What rounding can do to the angle at which a motion is after the length of a short rod: the bound of docs/solver.md.
 
-Values carry how large they may be and how wrong; ``block_arrivals.wp_of_one`` itself is run on them.
+Values carry how large they may be and how wrong; ``block_arrivals.ahead_at_clamp`` itself is run on them.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from derive.emit.kernels.block_arrivals import wp_of_one
+from derive.emit.kernels.block_arrivals import Quartic, ahead_at_clamp
 
 
 @dataclass
@@ -76,10 +76,10 @@ def least_slope(slow: float, z: float) -> float:
     return slow**3 / (2 * tan(slow * z / 2) * (cosh(slow * z) - 1))
 
 
-def most_wp(slow: float, z: float) -> float:
-    """|℘(z)| ≤ |q|/12 + |p/4|/sin(δ/2), by δ ≥ p(1 − cos kz)/k² and δ/2 ≤ (kz)²/4."""
+def most_ahead(slow: float, z: float) -> float:
+    """|℘(z) − c| ≤ |p/4|/sin(δ/2), by δ ≥ p(1 − cos kz)/k² and δ/2 ≤ (kz)²/4."""
     turn = (slow * z) ** 2 / 4
-    return slow**2 / 12 + slow**2 / (2 * (1 - cos(slow * z))) * turn / sin(turn)
+    return slow**2 / (2 * (1 - cos(slow * z))) * turn / sin(turn)
 
 
 def error_bound(slow: float, kind: Any) -> float:
@@ -87,25 +87,22 @@ def error_bound(slow: float, kind: Any) -> float:
     unit, soft, growth = float(np.finfo(kind).eps) / 2 * 1.001, slow**2, cosh(slow) - 1
     number = 2 if kind is np.float32 else 4
     places = [0.5**k for k in range(number, 0, -1)]
-    ways = iter([(least_slope(slow, z), most_wp(slow, min(2 * z, 0.5))) for z in places])
+    ways = iter([(least_slope(slow, z), most_ahead(slow, min(2 * z, 0.5))) for z in places])
     doublings = Doublings(ways)
     p = Rounded(soft, 0.0, unit, np.dtype(kind), doublings)  # q, m and β cos φ are no greater
-    product, c = (p * p).within(soft**2), p / 12
-    g2 = (p * c - product / 4).within(soft**2 / 4)
-    last = (p * p * p).within(0.385 * soft**3) / 16
-    g3 = ((product / 4 - p * p / 18).within(soft**2 / 4) * c - last).within((0.25 / 12 + 0.385 / 16) * soft**3)
-    wp_of_one(g2, g3)
+    quartic = Quartic(p / 4, p, (p * p).within(soft**2) / 4, (p * p * p).within(0.385 * soft**3) / 16)
+    ahead_at_clamp(quartic)
     # What the series leaves out: the next terms, twice.
-    a, b, z = g2.most * places[0] ** 4 / 20, g3.most * places[0] ** 6 / 28, places[0]
+    z = places[0]
+    a, b = soft**2 / 4 * z**4 / 20, (0.25 / 12 + 0.385 / 16) * soft**3 * z**6 / 28
     cut = (2 * a**3 / 3 + b * b) / 13 if number == 2 else a * a * b + a**4
     # An error of ℘(z) is one of the length by as much over ℘′(z), which is doubled up to 1; |θ_σ| ≤ 2k.
     total = 2 * slow * (doublings.start + 2 * cut / z**2) / least_slope(slow, z) / z
     for (above, below), z in zip(doublings.losses[:-1], places[1:], strict=True):
-        wrong = above + most_wp(slow, z) * (below + unit)
+        wrong = above + most_ahead(slow, z) * (below + unit)
         total += 2 * slow * wrong / least_slope(slow, z) / z
     # The arc tangent, of p/4 and ℘ − c; the root of the sum of their squares is no less than this.
     above, below = doublings.losses[-1]
-    least = soft / (2 * growth)
-    total += 2 * (above / least + (below + 2 * unit) * (1 + c.most / least) + c.error / least)
+    total += 2 * (above * 2 * growth / soft + below + 2 * unit)
     # The tip as rounded is another tip; p, q, m and β cos φ as rounded are those of another rod.
     return 1.02 * total + unit * (24.3 * (growth + 1) + 30.7 * growth + 16 * pi)

@@ -171,7 +171,10 @@ KERNEL_MUTANTS = [
     pytest.param("block_tips", "-side * found.sign", "found.sign", id="a sign in a sweep"),
     pytest.param("block_tips", "side * (length * heading", "(length * heading", id="no mirror image in a sweep"),
     pytest.param("block_tips", "= times * change", "= times / 2 * change", id="half of the swings in a sweep"),
-    pytest.param("block_pieces", "~strong & ~alone", "strong & ~alone", id="one well for two in a sweep"),
+    pytest.param("block_short", "-moment * length", "moment * length", id="a sign in a sweep of short rods"),
+    pytest.param("block_short", "gamma / 2 + 2 * beta", "gamma / 2 - 2 * beta", id="an energy of a sweep"),
+    pytest.param("block_short", "(sine + z) * length", "(sine - z) * length", id="a short rod of a sweep mirrored"),
+    pytest.param("block_pieces", "turns[which]", "turns[which] + 1", id="a turn too many in a sweep"),
     pytest.param("block_tips", "* heading.cosine + y", "* heading.cosine - y", id="a place of a sweep mirrored"),
 ]
 
@@ -241,8 +244,12 @@ def test_a_wrong_kernel_is_refused(trial: Any, file: str, old: str, new: str) ->
 def test_tips_of_a_sweep_left_rough_are_refused(trial: Any) -> None:
     """Where tips of short rods are aimed at less often, and then taken as they are."""
     kernels = read_kernels()
-    changes = {"block_shots": ("AIMS = 4 ", "AIMS = 1 "), "block_roots": ("blur = epsilon()", "blur = 1e-3")}
-    for file, (old, rough) in changes.items():
+    changes = [
+        ("block_shots", "AIMS = 4 ", "AIMS = 1 "),
+        ("block_shots", "SETTLED = 2.0**-43 ", "SETTLED = 1.0 "),
+        ("block_roots", "blur = epsilon()", "blur = 1e-3"),
+    ]
+    for file, old, rough in changes:
         assert kernels[file].count(old) == 1, "the kernel has changed: mend the mutant"
         kernels = {**kernels, file: kernels[file].replace(old, rough)}
     assert any(line.startswith("sweep") for line in refusals(emitted(kernels), trial))

@@ -18,8 +18,8 @@ from derive.emit.kernels.arcs import rj_pair
 from derive.emit.kernels.arithmetic_mpmath import arctan_share
 from derive.emit.kernels.array_arithmetic import each_arctan_share
 from derive.emit.kernels.carlson import rf
+from derive.emit.kernels.landen import phase_at, swing_and_arrival
 from derive.emit.kernels.roots import bracketed_root
-from derive.emit.kernels.swing import lengths, phase_at
 from derive.measure.reference import Rod, solve
 from derive.measure.scan import brute_force
 
@@ -62,11 +62,11 @@ def test_lengths_and_phases(exponent, part, swapped):
     a, b = (10.0**exponent, 1.0) if swapped else (1.0, 10.0**exponent)
     with mp.workdps(40):
         sine = mp.sin(part * mp.pi / 2) ** 2
-        whole, length = lengths(a, b, float(sine), float(1 - sine))
+        whole, length = swing_and_arrival(a, b, float(sine), float(1 - sine))
         exact = mp.ellipf(mp.pi * part / 2, 1 - (mp.mpf(b) / a) ** 2) / a
         assert relative(length, exact) < 16 * ULP * max(1, 1 / part) * max(1, 1 / (1 - part))
     square, rest = phase_at(a, b, length, whole - length)
-    again = lengths(a, b, square, rest)[1]
+    again = swing_and_arrival(a, b, square, rest)[1]
     assert abs(again - length) < 64 * ULP * whole
 
 

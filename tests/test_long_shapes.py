@@ -9,8 +9,8 @@ import kernel_module
 import pytest
 from mpmath import mp, mpf
 
+from derive.emit.kernels.landen import phase_at, swing_and_arrival
 from derive.emit.kernels.shapes import phase_before
-from derive.emit.kernels.swing import lengths, phase_at
 from derive.measure.hard import SIZES, ULP, reference
 from derive.measure.reference import Rod, along, couple_of, quantities, solve, walk
 from derive.measure.rods import PAPER
@@ -50,12 +50,12 @@ def test_a_phase_before_another_is_that_of_the_difference_of_lengths() -> None:
     rng = random.Random(4)
     for _ in range(300):
         a, b = 10 ** rng.uniform(-25, 0), 10 ** rng.uniform(-25, 0)
-        whole, _ = lengths(a, b, 1.0, 0.0)
+        whole, _ = swing_and_arrival(a, b, 1.0, 0.0)
         length = whole * rng.uniform(0.01, 0.99)
         short = length * rng.uniform(0, 0.5)
         square, rest = phase_at(a, b, length, whole - length)
         square, rest = phase_before(a, b, square, rest, phase_at(a, b, short, whole - short))
-        _, met = lengths(a, b, square, rest)
+        _, met = swing_and_arrival(a, b, square, rest)
         assert met == pytest.approx(length - short, rel=1e-12)
         assert square + rest == pytest.approx(1, abs=1e-14)
 

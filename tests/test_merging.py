@@ -11,7 +11,7 @@ import pytest
 from mpmath import mp, mpf
 
 from derive.emit.kernels.equilibria import all_equilibria
-from derive.emit.kernels.ground import clamp_in
+from derive.emit.kernels.ground import clamp_in, ground_of, ridge_of
 from derive.emit.kernels.landscape import landscape, mirror_landscape
 from derive.emit.kernels.pieces import pieces
 from derive.emit.kernels.places import places
@@ -63,8 +63,9 @@ def test_ranges_meet_at_the_level_of_a_shoulder_with_the_same_lengths() -> None:
         rod = inside_the_astroid(rng)
         scene = landscape(rod.beta, rod.eta, abs(rod.field_angle))
         scene = scene if rod.field_angle > 0 else mirror_landscape(scene)
-        ground = pieces(rod.beta, rod.eta, rod.field_angle, scene, clamp_in(scene.rests, rod.clamp_angle))
-        for below, above in pairwise(ground):
+        ridge = ridge_of(rod.beta, rod.eta, rod.field_angle, scene)
+        ground = ground_of(rod.eta, scene, clamp_in(scene.rests, rod.clamp_angle), ridge)
+        for below, above in pairwise(pieces(rod.eta, rod.field_angle, ground)):
             if "shoulder" in (below.high_kind, above.low_kind):
                 met += 1
                 loads = rod.beta, rod.eta, rod.field_angle

@@ -9,7 +9,7 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from derive.emit.kernels.arrivals import least_arrival
-from derive.emit.kernels.ground import clamp_in
+from derive.emit.kernels.ground import clamp_in, ground_of, ridge_of
 from derive.emit.kernels.landscape import landscape
 from derive.emit.kernels.pieces import pieces
 from derive.emit.kernels.places import about, grid
@@ -25,7 +25,8 @@ def sampled(share, clamp_angle, field_angle, length=2.0):
     """Every piece of a rod with β + η = 1, with places and what samples it."""
     beta, eta = share, 1 - share
     scene = landscape(beta, eta, field_angle)
-    for piece in pieces(beta, eta, field_angle, scene, clamp_in(scene.rests, clamp_angle)):
+    ridge, clamp = ridge_of(beta, eta, field_angle, scene), clamp_in(scene.rests, clamp_angle)
+    for piece in pieces(eta, field_angle, ground_of(eta, scene, clamp, ridge)):
         if piece.width > 1e-6:
             ends = delays(piece)
             places = [place for place in grid(beta, eta, length, piece) if abs(place) < 40]

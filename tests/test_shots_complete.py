@@ -24,9 +24,7 @@ STEP = 1e-4  # of the tip, between which second differences are taken
 def rods_of(force: Any, slow: Any, clamp: Any, field: Any) -> Rods:
     """Rods of unit length, by the force's share of β + η."""
     soft = slow * slow
-    return Rods(
-        np.arange(slow.size), 1, 0, force * soft, (1 - force) * soft, 0 * slow + 1, clamp, field, slow, slow > 0
-    )
+    return Rods(np.arange(slow.size), 1, 0, force * soft, (1 - force) * soft, 0 * slow + 1, clamp, field, slow)
 
 
 def random_rods(seed: int, count: int = COUNT, least: float = 0.05) -> Rods:
@@ -65,8 +63,8 @@ def beside_tangencies(seed: int, count: int) -> Rods:
 def numbers(rods: Rods) -> tuple[Any, Any]:
     """How many tips the rods have, and the rods of which that is not sure."""
     with np.errstate(all="ignore"):
-        shots, unsure = shots_of(rods, rods.case.size)
-    return shots.number[0::2] + shots.number[1::2], unsure
+        shots, unsure = shots_of(rods)
+    return np.bincount(shots.rod, minlength=rods.case.size), unsure
 
 
 def test_the_bound_of_the_second_derivative_is_never_passed_and_nearly_reached() -> None:

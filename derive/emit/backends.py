@@ -107,8 +107,10 @@ _ON_ARRAYS = (
     "oblique_rests",
     "pieces",
     "potential",
+    "rates",
     "rests",
     "swing",
+    "turning",
 )
 ARRAY_INSTANCES = {stem: stem + EACH for stem in _ON_ARRAYS}
 FORMULAS = ("formulas", f"formulas{EACH}")  # the files of the solver's formulas, on scalars and on arrays

@@ -175,4 +175,5 @@ def _write_by_sines(writer: Writer) -> None:
         Domain({b: (0, oo), done: (0, 6), x_near: (0, oo), pair_root: (0, oo)}),
         steps=("point_pole", "cubic_root"),
         source="exsl8",
+        emitted=False,
     )

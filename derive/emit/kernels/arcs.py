@@ -186,7 +186,8 @@ def rj_pair(x, product, root_sum, p, lift, less, twist):
     one, two = start - x, 2 * start - pair
     both = start * start - start * pair + product * product
     reach = 5 * (abs(one) + abs(start - p) + sqrt(abs(both)))
-    target = (epsilon() / 4) ** 0.125
+    # Twice that of the largest departure from the mean, for these are added up.
+    target = 2 * (epsilon() / 4) ** 0.125
     scale, total = 1, 0
     while any_of(reach > target * scale * abs(fivefold)):
         root, root_p = sqrt(x), complex_sqrt(p)
@@ -196,14 +197,14 @@ def rj_pair(x, product, root_sum, p, lift, less, twist):
             minus = lift - side
             cancels = abs(plus) < abs(minus)
             plus = pick(cancels, twist / (less * pick(cancels, minus, 1)), plus)
-        d = (root_p + root) * plus
+        share = 1 / ((root_p + root) * plus)  # one quotient of complex numbers, which take longer than products
         raised, lifted = lift + across, sqrt(x + product + across)
-        end = (root_p + root_p) * raised / d
-        total = total + arctan_share(twist / (scale * scale * scale * d * d), end) / (scale * d)
+        end = (root_p + root_p) * raised * share
+        total = total + arctan_share(twist * share * share, end) * share / scale
         pair = root_sum * (root_sum + 2 * root) / 4
-        x, p = (x + product + across) / 4, raised * 0.25  # a quotient of complex numbers takes longer
+        x, p = (x + product + across) / 4, raised * 0.25
         product, root_sum = root_sum * lifted / 4, sqrt(root_sum * (root_sum + 2 * root + 2 * lifted)) / 2
-        lift, fivefold = p + product, x + pair + (p + p)
+        lift, fivefold, twist = p + product, x + pair + (p + p), twist * 0.015625
         scale *= 4
     mean = fivefold / 5
     size = scale * mean
@@ -213,7 +214,6 @@ def rj_pair(x, product, root_sum, p, lift, less, twist):
     e3 = a * c + 2 * e2 * d + 4 * d * d * d
     e4 = (2 * a * c + e2 * d + 3 * d * d * d) * d
     e5 = a * c * d * d
-    low = -3 * e2 / 14 + e3 / 6 + 9 * e2 * e2 / 88 - 3 * e4 / 22 - 9 * e2 * e3 / 52 + 3 * e5 / 26
-    high = -e2 * e2 * e2 / 16 + 3 * e3 * e3 / 40 + 3 * e2 * e4 / 20 + 45 * e2 * e2 * e3 / 272
-    high = high - 9 * (e3 * e4 + e2 * e5) / 68
-    return (1 + low + high) / (scale * mean * complex_sqrt(mean)) + 6 * total
+    bent = e2 * (9 / 88 - e2 * (1 / 16) + e3 * (45 / 272)) - e3 * (9 / 52) + e4 * (3 / 20) - e5 * (9 / 68) - 3 / 14
+    series = 1 + e2 * bent + e3 * (1 / 6 + e3 * (3 / 40) - e4 * (9 / 68)) - e4 * (3 / 22) + e5 * (3 / 26)
+    return series / (scale * mean * complex_sqrt(mean)) + 6 * total

@@ -5,7 +5,28 @@ from __future__ import annotations
 from cmath import atanh as complex_atanh
 from cmath import log as complex_log
 from cmath import sqrt as complex_sqrt
-from math import acos, asin, atan, atan2, ceil, cos, exp, floor, frexp, hypot, inf, isfinite, ldexp, log, pi, sin, sqrt
+from math import (
+    acos,
+    asin,
+    asinh,
+    atan,
+    atan2,
+    ceil,
+    cos,
+    exp,
+    floor,
+    frexp,
+    hypot,
+    inf,
+    isfinite,
+    ldexp,
+    log,
+    pi,
+    sin,
+    sinh,
+    sqrt,
+    tan,
+)
 
 __all__ = [
     "acos",
@@ -14,6 +35,7 @@ __all__ = [
     "arc_excess",
     "arctan_share",
     "asin",
+    "asinh",
     "atan",
     "atan2",
     "ceil",
@@ -38,8 +60,10 @@ __all__ = [
     "plus_quarters",
     "real",
     "sin",
+    "sinh",
     "spacing",
     "sqrt",
+    "tan",
 ]
 
 

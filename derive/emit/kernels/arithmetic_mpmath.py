@@ -2,7 +2,28 @@
 
 from __future__ import annotations
 
-from mpmath import acos, asin, atan, atan2, cos, eps, exp, frexp, hypot, inf, isfinite, ldexp, log, mpf, pi, sin, sqrt
+from mpmath import (
+    acos,
+    asin,
+    asinh,
+    atan,
+    atan2,
+    cos,
+    eps,
+    exp,
+    frexp,
+    hypot,
+    inf,
+    isfinite,
+    ldexp,
+    log,
+    mpf,
+    pi,
+    sin,
+    sinh,
+    sqrt,
+    tan,
+)
 from mpmath import ceil as mpf_ceil
 from mpmath import floor as mpf_floor
 from mpmath import mpc as complex_of
@@ -15,6 +36,7 @@ __all__ = [
     "arc_excess",
     "arctan_share",
     "asin",
+    "asinh",
     "atan",
     "atan2",
     "ceil",
@@ -39,8 +61,10 @@ __all__ = [
     "plus_quarters",
     "real",
     "sin",
+    "sinh",
     "spacing",
     "sqrt",
+    "tan",
 ]
 
 

@@ -10,7 +10,7 @@ from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import each_any_of
 from derive.emit.kernels.block_places import in_time
 from derive.emit.kernels.block_records import rows
-from derive.emit.kernels.ground_each import clamp_in_each, level_ground_each, ridge_ground_each
+from derive.emit.kernels.ground_each import clamp_in_each, level_ground_each, ridge_at_each, ridge_ground_each
 from derive.emit.kernels.landscape_each import (
     has_second_pair_each,
     mirror_landscape_each,
@@ -33,10 +33,7 @@ SHARP = 0.01  # the same from which on the dips are too narrow for the samples h
 
 
 class Rods(NamedTuple):
-    """Rods in their own units of length: see ``equilibria.Rod``. case: their number in the block; slow: ℓ√(β + η).
-
-    shot: whether all their tips are known nearly, by ``block_shots``.
-    """
+    """Rods in their own units of length: see ``equilibria.Rod``. case: their number in the block; slow: ℓ√(β + η)."""
 
     case: Any
     side: Any
@@ -47,7 +44,6 @@ class Rods(NamedTuple):
     clamp_angle: Any
     field_angle: Any
     slow: Any
-    shot: Any
 
 
 class Group(NamedTuple):
@@ -86,7 +82,7 @@ def groups(rods):
             if which.size:
                 given, piece = rows(some, which), build(rows(ground, which))
                 group = Group(given, clamp.turns[which], full(which.shape, rank), piece, None)
-                parts, sharp = by_dips(group, given.shot | in_time(given, piece))
+                parts, sharp = by_dips(group, in_time(given, piece))
                 found += parts
                 doubtful.append(sharp)
     return found, straight, concatenate(doubtful)
@@ -95,11 +91,7 @@ def groups(rods):
 def by_dips(group, wanted):
     """The ranges that are wanted, without and with a dip, and the cases left to the scalar solver, for their dip is
     too sharp."""
-    shot = group.rods.shot
-    if shot.all():
-        return [group], zeros(0, dtype=int)
     missing, dip = nearly_ridge(group.rods, group.piece)
-    missing = where(shot, inf, missing)
     plain, wide = wanted & (missing > NEARLY), wanted & (missing <= NEARLY) & (missing >= SHARP)
     parts = [rows(group, plain)] if plain.any() else []
     if wide.any():
@@ -212,4 +204,5 @@ def ground_of_kind(rods, scene, clamp):
         return level_ground_each(rods.eta, scene, clamp.offsets), zeros(rods.case.shape, dtype=bool)
     drop = ridge_fall_each(rods.beta, rods.eta, rods.field_angle, rests[0], rests[2])
     low = drop <= epsilon() ** 17 * (rods.beta + rods.eta)
-    return ridge_ground_each(rods.eta, scene, clamp.offsets, drop), low
+    ridge = ridge_at_each(rods.beta, rods.eta, rods.field_angle, rests, drop)
+    return ridge_ground_each(rods.eta, scene, clamp.offsets, ridge), low

@@ -17,6 +17,7 @@ MOVING = 1e-6  # a step after which another one is not yet as small as rounding
 NOISE = 3  # roundings of the length that the times may have of their own
 TOLD = 1e-10  # change of a place from which the change of a length tells the slope
 SECANTS = 2  # evaluations before any place is looked at for being right to rounding: next to none is
+EASE = 2  # how often the rounding that is taken for none is doubled: times of long rods have more of it
 SPREAD = 2.0**-9  # distance of two places from which they tell the slope of a branch in single precision
 
 
@@ -147,11 +148,10 @@ def rough_surplus(given, place):
     return surplus(swing, arrival, turns, sign, some.rods.length)
 
 
-def polished(some, brackets, place, slope, secants, ease):
+def polished(some, brackets, place, slope):
     """The crossings to rounding, by secants from rough ones, and the ranges in which one is not found so.
 
-    some: the group with a row for each; secants: as many before any is looked at for being right to rounding; ease:
-    after how many more twice as much is taken for rounding.
+    some: the group with a row for each.
     """
     wanted, crossed = brackets.range, (brackets.value_left > 0) != (brackets.value_right > 0)
     some, brackets, place, slope = rows((some, brackets, place, slope), crossed)
@@ -165,8 +165,8 @@ def polished(some, brackets, place, slope, secants, ease):
         now = surplus(times.swing, times.arrival, branch.turns, branch.sign, here.rods.length)
         slope[todo] = steep = secant_slope(at, before[todo], now, value[todo], slope[todo])
         value[todo], before[todo], step = now, at, now / steep
-        if turn >= secants:
-            blur = epsilon() * 2 ** min(turn - secants, ease)
+        if turn >= SECANTS:
+            blur = epsilon() * 2 ** min(turn - SECANTS, EASE)
             settled[todo] = close = (abs(step) <= blur * (1 + abs(at))) | (abs(now) <= blur * here.rods.length)
             # What is left time and again is rounding of the times themselves; half way leaves less of it.
             step = where(abs(now) <= NOISE * epsilon() * here.rods.length, step / 2, step)

@@ -31,31 +31,22 @@ from numpy import (
 )
 
 from derive.emit.kernels.arithmetic import pi
-from derive.emit.kernels.block_hits import aimed
 from derive.emit.kernels.block_places import ROUGH_DEPTH, ends, places_of
 from derive.emit.kernels.block_records import joined, rounded_to, rows
-from derive.emit.kernels.block_roots import SECANTS, Brackets, polished, rough_times, roughly_at, surplus
+from derive.emit.kernels.block_roots import Brackets, polished, rough_times, roughly_at, surplus
 
 ROUGH_SLOW = 12  # ℓ√(β + η) up to which single precision holds the places of all tips but the most extreme
 WIDE = 0.75  # first step between samples
 CLOSER = 0.25  # the same where those leave a doubt
 FINER = linspace(0, 1, 17)  # shares of the way from one sample to the next but one
-HITS = 0  # as ``SECANTS``, for tips that are known nearly to rounding
-EASE = 2  # how often the rounding that is taken for none is doubled: times of long rods have more of it
-SHOT_EASE = 7  # the same where tips are known nearly, and only near folds take more than a few steps
 RANGES = 1024  # ranges at once: arrays that stay in the cache
 
 
-def tips(group, shots, most):
+def tips(group, most):
     """The tips of a group, a list of Found, and the ranges left to the scalar solver."""
-    shot, rough = group.rods.shot, group.rods.slow < ROUGH_SLOW
+    rough = group.rods.slow < ROUGH_SLOW
     found, again = [], [zeros(0, dtype=int)]
-    which = flatnonzero(shot)
-    if which.size:
-        sure, left = hit(group, which, shots)
-        found += sure
-        again.append(left)
-    for mask, kind in ((rough & ~shot, float32), (~rough, float)):
+    for mask, kind in ((rough, float32), (~rough, float)):
         which = flatnonzero(mask)
         if which.size:
             sure, doubtful = searched(group, which, kind, WIDE, most)
@@ -68,30 +59,15 @@ def tips(group, shots, most):
     return found, left
 
 
-def hit(group, which, shots):
-    """The tips of ranges of rods that are shot."""
-    part = rows(group, which) if which.size < group.rods.case.size else group
-    brackets, place, slope = aimed(part, shots)
-    return settled(moved(part), which, brackets, place, slope, HITS, zeros(0, dtype=int))
-
-
 def searched(group, which, kind, step, most):
     """The tips of some ranges, and the ranges of which there may be more or fewer."""
     part = moved(rows(group, which) if which.size < group.rods.case.size else group)
     brackets, doubts = bracketed(part, kind, step, most)
-    return settled(part, which, brackets, None, None, SECANTS, doubts)
-
-
-def settled(part, which, brackets, place, slope, secants, doubts):
-    """The tips of ranges by their brackets, a list, and the ranges with doubts. place, slope: where they are known."""
     if not brackets.range.size:
         return [], which[doubts]
     some = rows(part, brackets.range)
-    ease = SHOT_EASE
-    if place is None:
-        place, slope = roughly_at(some, brackets, brackets.left.dtype)
-        ease = EASE
-    sure, lost = polished(some, brackets, place, slope, secants, ease)
+    place, slope = roughly_at(some, brackets, brackets.left.dtype)
+    sure, lost = polished(some, brackets, place, slope)
     doubtful = concatenate([doubts, lost])
     if doubtful.size:
         sure = rows(sure, ~isin(sure.range, doubtful))
@@ -100,7 +76,7 @@ def settled(part, which, brackets, place, slope, secants, doubts):
 
 def moved(group):
     """The group without what motions do not depend on."""
-    rods = group.rods._replace(case=0, side=0, scale=0, clamp_angle=0, shot=0)
+    rods = group.rods._replace(case=0, side=0, scale=0, clamp_angle=0)
     return group._replace(rods=rods, turns=0, rank=0)
 
 

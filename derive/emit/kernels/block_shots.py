@@ -11,8 +11,9 @@ from typing import Any, NamedTuple
 
 from numpy import (
     abs,
+    arange,
     argsort,
-    bincount,
+    concatenate,
     cosh,
     flatnonzero,
     float32,
@@ -35,32 +36,36 @@ from derive.emit.kernels.block_records import joined, rounded_to, rows
 from derive.emit.kernels.block_roots import approached
 from derive.emit.kernels.formulas_each import shot_bend_each
 
-SHOT_SLOW = 1.4 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
+SHOT_SLOW = 1.49 * pi  # ℓ√(β + η) up to which the index is known (``block_short``); soon samples are too many
 SHOTS = 512  # rods at once
 EVEN = 3.0  # step between tips, over the steepest slope
 FEWEST_SPANS = 16
 ROUGH_HALVINGS = 2  # of spans in single precision
 SPAN_HALVINGS = 18  # of the rest
-ROUGH_BLUR = 1e-3  # what is missed is right to half of that in single precision (docs/solver.md)
+ROUGH_BLUR = 5e-4  # what is missed is right to half of that in single precision (docs/solver.md)
 ROUGH_SHOT = 1.2 * pi  # ℓ√(β + η) from which only to
-WIDER = 6.0  # times as much
-BLUR = 2e-11  # the same in double precision, on all
+WIDER = 16.0  # times as much
+BLUR = 1.5e-11  # the same in double precision, on all
 STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
 AIMS = 4  # steps towards a zero
 AGAIN = 4  # as often for those that are still far
 AIM_SPREAD = 1e-6  # distance of two shares from which they tell a slope
+SETTLINGS = 8  # steps to rounding; of most tips the first two suffice
+SETTLED = 2.0**-43  # as a share of the reach, what is missed where two more steps leave nothing but rounding
+SECANT_SPREAD = 1e-9  # distance of two shares from which they tell a slope better than it is known already
 
 
 class Shots(NamedTuple):
-    """Tips, sorted by ``key``: twice the rod's number, and 1 more for a tip above the clamp angle.
+    """Tips of short rods.
 
-    first, number: of those with a key; offset: tip less clamp angle; slope: ∂θ(0)/∂θ(ℓ).
+    rod: the number among those given; offset: tip less clamp angle; slope: ∂θ(0)/∂θ(ℓ), nearly; rising: whether that
+    is positive.
     """
 
-    first: Any
-    number: Any
+    rod: Any
     offset: Any
     slope: Any
+    rising: Any
 
 
 class Spans(NamedTuple):
@@ -80,21 +85,39 @@ def is_shot(rods):
     return (rods.slow < SHOT_SLOW) & (abs(couple) * rods.length * rods.length > STRAIGHT)
 
 
-def shots_of(rods, size):
-    """All tips of short rods, and the numbers of the rods of which they are not sure: these have none."""
+def shots_of(rods):
+    """All tips of short rods, and the numbers among these of the rods of which they are not sure: they have none."""
     load, sag, blur = load_of(rods), sag_of(rods), ROUGH_BLUR * where(rods.slow < ROUGH_SHOT, 1.0, WIDER)
     spans, unsure = told_apart(load, sag, blur, *sampled_spans(load, sag, blur, rods.slow))
     if unsure.size:
         spans = rows(spans, ~isin(spans.rod, unsure))
-    which, left, right = spans.rod, spans.first, spans.first + spans.width
+    which, ends = spans.rod, (spans.first, spans.first + spans.width, spans.before, spans.after)
     some = rows(load, which)
-    ends = left, right, spans.before, spans.after
     share, slope = approached(miss, some, *ends, AIMS, AIM_SPREAD, AGAIN)
-    key = 2 * rods.case[which] + (share > 0)
-    order = argsort(key, kind="stable")
-    number = bincount(key, minlength=2 * size)
-    offset, slope = (share * some.reach)[order], (slope / some.reach)[order]
-    return Shots(number.cumsum() - number, number, offset, slope), unique(unsure)
+    share, slope, lost = settled_shares(some, share, slope)
+    found = Shots(which, share * some.reach, slope / some.reach, spans.after > 0)
+    if lost.size:
+        unsure = concatenate([unsure, which[lost]])
+        found = rows(found, ~isin(which, unsure))
+    return found, unique(unsure)
+
+
+def settled_shares(load, share, slope):
+    """The zeros of what is missed, all but to rounding, by secants from nearly there; the slopes; and the numbers of
+    those not found so."""
+    todo, before, value_before = arange(share.size), share, full(share.shape, inf)
+    for _ in range(SETTLINGS):
+        here = rows(load, todo) if todo.size < share.size else load
+        at = share[todo]
+        value, change = miss(here, at), at - before
+        told = abs(change) > SECANT_SPREAD
+        steep = where(told, (value - value_before) / where(told, change, 1), slope[todo])
+        slope[todo], share[todo] = steep, at - value / steep
+        left = flatnonzero(~(abs(value) <= SETTLED * here.reach))
+        todo, before, value_before = todo[left], at[left], value[left]
+        if not left.size:
+            break
+    return share, slope, todo
 
 
 def sag_of(rods):

@@ -31,6 +31,7 @@ from derive.emit.kernels.array_arithmetic import each_less_quarters
 from derive.emit.kernels.block_pieces import Rods, groups
 from derive.emit.kernels.block_records import element, joined, rows, slab
 from derive.emit.kernels.block_search import tips
+from derive.emit.kernels.block_short import short_rods
 from derive.emit.kernels.block_shots import is_shot, shots_of
 from derive.emit.kernels.block_tips import Columns, Tips, bent_rods, no_columns, straight_rods
 from derive.emit.kernels.equilibria import all_equilibria
@@ -108,19 +109,20 @@ def at_once(beta, eta, length, clamp_angle, field_angle, size, most):
     slow = extent * sqrt(force + magnet)
     clamp, field = full(size, clamp_angle), principal_each(field_angle)
     good = (slow < SLOWEST) & (slow > epsilon())
-    rods = rows(Rods(arange(size), 1, scale, force, magnet, extent, clamp, field, slow, slow < 0), good)
-    rods, shots = with_shots(rods, size)
-    found, doubtful = on_arrays(rods, shots, most)
-    return found, unique(concatenate([flatnonzero(~good), doubtful, flatnonzero(short(found, shots, size, most))]))
+    rods = rows(Rods(arange(size), 1, scale, force, magnet, extent, clamp, field, slow), good)
+    short, rods = short_and_others(rods, most)
+    found, doubtful = on_arrays(both_sides_each(rods), most)
+    found = joined([short, found])
+    return found, unique(concatenate([flatnonzero(~good), doubtful, flatnonzero(incomplete(found, size, most))]))
 
 
-def with_shots(rods, size):
-    """The rods and their mirror images, marked where all tips are known nearly, and without sides that have none."""
+def short_and_others(rods, most):
+    """The equilibria of short rods, and the rods of which they are not sure or that are none."""
     shot = is_shot(rods)
-    shots, unsure = shots_of(rows(rods, shot), size)
-    shot &= ~isin(rods.case, rods.case[shot][unsure])
-    both = both_sides_each(rods._replace(shot=shot))
-    return rows(both, ~both.shot | (shots.number[2 * both.case + (both.side < 0)] > 0)), shots
+    some = rows(rods, shot)
+    shots, unsure = shots_of(some)
+    shot[flatnonzero(shot)[unsure]] = False
+    return short_rods(some, shots, most), rows(rods, ~shot)
 
 
 def both_sides_each(rods):
@@ -138,18 +140,16 @@ def both_sides_each(rods):
         side * twice.clamp_angle,
         mirrored_each(twice.field_angle, side),
         twice.slow,
-        twice.shot,
     )
 
 
-def short(found, shots, size, most):
-    """The rods of which an equilibrium is missing: those of even and of odd index differ by one in number (the
-    degree of the equation is that of the rod without load), the least energy has index 0, and every shot ends in one.
+def incomplete(found, size, most):
+    """The rods of which an equilibrium is missing: those of even and of odd index differ by one in number (the degree
+    of the equation is that of the rod without load), and the least energy has index 0.
     """
     if most < inf:
         return bincount(found.case, minlength=size) == 0
-    balance = bincount(found.case, weights=1 - 2 * (found.index % 2), minlength=size)
-    return (balance != 1) | (bincount(found.case, minlength=size) < shots.number[0::2] + shots.number[1::2])
+    return bincount(found.case, weights=1 - 2 * (found.index % 2), minlength=size) != 1
 
 
 def principal_each(field_angle):
@@ -184,13 +184,13 @@ def one_by_one(beta, eta, length, clamp_angle, field_angle, max_index):
     )
 
 
-def on_arrays(rods, shots, most):
+def on_arrays(rods, most):
     """The equilibria of rods with tips below the clamp angle, the straight ones, and the cases left to the scalar
     solver."""
     found, straight, doubtful = groups(rods)
     known, left = [], [doubtful]
     for group in found:
-        tip, lost = tips(group, shots, most)
+        tip, lost = tips(group, most)
         left.append(group.rods.case[lost])
         for some in tip:
             rod, rank, turns = rows((group.rods, group.rank, group.turns), some.range)

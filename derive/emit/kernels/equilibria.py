@@ -27,7 +27,7 @@ from derive.emit.kernels.arithmetic import (
     sin,
     sqrt,
 )
-from derive.emit.kernels.ground import clamp_in
+from derive.emit.kernels.ground import Clamp, clamp_in, ground_of, ridge_of
 from derive.emit.kernels.hits import hits
 from derive.emit.kernels.landscape import landscape, mirror_landscape
 from derive.emit.kernels.pieces import pieces
@@ -107,10 +107,12 @@ def all_equilibria(beta, eta, length, clamp_angle, field_angle, max_index):
     mirrored = Rod(rod.beta, rod.eta, rod.length, -clamp_angle, reflected(field), -1, scale)
     scene, other = landscapes(rod.beta, rod.eta, rod.field_angle)
     clamp = clamp_in(scene.rests, rod.clamp_angle)
+    beyond = mirrored_clamp(scene, other, clamp, mirrored.clamp_angle)
+    ridge = ridge_of(rod.beta, rod.eta, rod.field_angle, scene) if other is scene else None
     shots = tip_shots(rod.beta, rod.eta, rod.field_angle, rod.length, rod.clamp_angle)
-    mirrored_shots = None if shots is None else mirror_shots(shots)
-    above = below(mirrored, other, clamp_in(other.rests, mirrored.clamp_angle), most, mirrored_shots)
-    return in_order([*below(rod, scene, clamp, most, shots), *straight(rod, scene, clamp, most), *above[::-1]])
+    lower = below(rod, scene, clamp, ridge, most, shots)
+    upper = below(mirrored, other, beyond, ridge, most, None if shots is None else mirror_shots(shots))
+    return in_order([*lower, *straight(rod, scene, clamp, most), *upper[::-1]])
 
 
 def landscapes(beta, eta, field_angle):
@@ -121,6 +123,13 @@ def landscapes(beta, eta, field_angle):
     scene = landscape(beta, eta, abs(field_angle))
     mirrored = mirror_landscape(scene)
     return (scene, mirrored) if field_angle > 0 else (mirrored, scene)
+
+
+def mirrored_clamp(scene, other, clamp, mirrored):
+    """The clamp seen from the other side of the y axis, in the landscape there; mirrored: the clamp angle there."""
+    if clamp.offsets[0] > 0 and other.rests[0].angle == -scene.rests[0].angle:  # number by number the same
+        return Clamp(-1 - clamp.turns, tuple([-offset for offset in clamp.offsets[::-1]]))
+    return clamp_in(other.rests, mirrored)
 
 
 def in_order(found):
@@ -150,21 +159,22 @@ def reflected(field_angle):
     return -field_angle
 
 
-def below(rod, scene, clamp, most, shots):
+def below(rod, scene, clamp, ridge, most, shots):
     """The equilibria with tips below the clamp angle, from the lowest up; tips may be nearer than rounding.
 
-    shots: all tips, roughly, or None.
+    ridge: that of the landscape, or None where it is not known yet. shots: all tips, roughly, or None.
     """
     tips = None if shots is None else [shot for shot in shots if shot.offset < 0]
     if tips == []:
         return []
     beta, eta, field_angle, length = rod.beta, rod.eta, rod.field_angle, rod.length
+    ground = ground_of(eta, scene, clamp, ridge_of(beta, eta, field_angle, scene) if ridge is None else ridge)
     found = None
     if tips is not None:
-        found = hits(beta, eta, field_angle, length, pieces(beta, eta, field_angle, scene, clamp), tips)
+        found = hits(beta, eta, field_angle, length, pieces(eta, field_angle, ground), tips)
     if found is None:
         found = []
-        for piece in pieces(beta, eta, field_angle, scene, clamp):
+        for piece in pieces(eta, field_angle, ground):
             if piece.width > 0:  # else the clamp angle is at the level of the ridge, to rounding
                 here = crossings(beta, eta, field_angle, length, piece, most)
                 found += [(piece, crossing) for crossing in sorted(here, key=lambda item: item.sample.place)]
@@ -174,6 +184,8 @@ def below(rod, scene, clamp, most, shots):
 
 def straight(rod, scene, clamp, most):
     """The straight equilibrium, if the clamp angle is a direction without moment."""
+    if 0 not in clamp.offsets:
+        return []
     found = [straight_rod(rod, rest) for rest, offset in zip(scene.rests, clamp.offsets, strict=True) if offset == 0]
     return [item for item in found if item.index <= most]
 

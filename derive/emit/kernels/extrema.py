@@ -7,7 +7,7 @@ from typing import NamedTuple
 from derive.emit.kernels.arithmetic import ceil, epsilon, exp, inf
 from derive.emit.kernels.arrivals import least_arrival
 from derive.emit.kernels.equilibria import Rod
-from derive.emit.kernels.ground import clamp_in
+from derive.emit.kernels.ground import clamp_in, ground_of, ridge_of
 from derive.emit.kernels.landscape import landscape
 from derive.emit.kernels.pieces import Piece, pieces
 from derive.emit.kernels.places import about, grid
@@ -60,7 +60,8 @@ def marks(sides, wanted=None):
             continue
         scene = landscape(rod.beta, rod.eta, rod.field_angle)
         clamp = clamp_in(scene.rests, rod.clamp_angle)
-        for number, piece in enumerate(pieces(rod.beta, rod.eta, rod.field_angle, scene, clamp)):
+        ground = ground_of(rod.eta, scene, clamp, ridge_of(rod.beta, rod.eta, rod.field_angle, scene))
+        for number, piece in enumerate(pieces(rod.eta, rod.field_angle, ground)):
             where = (rod.side, number, piece.low_kind, piece.high_kind, piece.basin.passes)
             if wanted is None or wanted[: len(where)] == where:
                 for mark in marks_on(rod, clamp.turns, piece, where, wanted):

@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 cc1c8139f5323a6bd4944b382dc5eda5abc73cdccab4a3e082d32d1a4376762e
+Digest of the inputs: sha256 7e70e47cedc560a069af85a423808a9dfa0de74d422e75085c6128a9b3e1cd30
 """
 
 from __future__ import annotations
@@ -239,46 +239,6 @@ def far_cosine(second, square, delta):
     return second * sqrt(square) / delta
 
 
-def back_below(first, second, square):
-    """2a(a + b)/(a + Δ) by sin²ψ′, for a > b: Gauss's step undone.
-
-    Equation DLMF 19.8(iii); proved as swing.back_below.
-    """
-    return first + second + square * (first - second)
-
-
-def back_below_rest(first, second, rest):
-    """The same by cos²ψ′, for a < b: Gauss's step undone.
-
-    Equation DLMF 19.8(iii); proved as swing.back_below_rest.
-    """
-    return 2 * first - rest * (first - second)
-
-
-def back_square(first, square, below):
-    """sin²ψ by sin²ψ′: Gauss's step undone.
-
-    Equation DLMF 19.8(iii); proved as swing.back_square.
-    """
-    return 4 * square * first * first / (below * below)
-
-
-def back_rest(first, second, gap, rest, below):
-    """cos²ψ by cos²ψ′, with gap = a − b: Gauss's step undone.
-
-    Equation DLMF 19.8(iii); proved as swing.back_rest.
-    """
-    return rest * (4 * first * second + rest * gap * gap) / (below * below)
-
-
-def back_move(first, gap, square, rest, below):
-    """by how much sin²ψ is more than sin²ψ′, with gap = a − b: Gauss's step undone.
-
-    Equation DLMF 19.8(iii); proved as swing.back_move.
-    """
-    return gap * square * rest * (below + 2 * first) / (below * below)
-
-
 def phase_bend(share, first_share, square, rest, across, delta):
     """kS′τ′/(1 + kS′) after Gauss's step, by k = (a − b)/(a + b) and 1 + k; τ = sin ψ cos ψ/Δ.
 
@@ -301,6 +261,72 @@ def gauss_gap(gap, total):
     Equation DLMF 19.8(i); proved as swing.gauss_gap.
     """
     return 0.25 * gap * gap / total
+
+
+def tangent_exchanged(first, second, tan_phase):
+    """Tan ψ of the same length where a and b are exchanged.
+
+    Equation DLMF 22.17(i); proved as swing.tangent_exchanged.
+    """
+    return second * tan_phase / first
+
+
+def landen_more(share, tan_phase):
+    """by what share tan ψ is more before Landen's step than after it.
+
+    Equation DLMF 19.8(ii); proved as swing.landen_more.
+    """
+    return share * (1 + tan_phase * tan_phase) / (2 - share * (1 + tan_phase * tan_phase))
+
+
+def landen_root(bent):
+    """√(a² + b² tan²ψ)/a.
+
+    Equation DLMF 19.2.4; proved as swing.landen_root.
+    """
+    return sqrt(1 + bent * bent)
+
+
+def landen_tangent(share, tan_phase, root):
+    """Tan ψ after Landen's step.
+
+    Equation DLMF 19.8(ii); proved as swing.landen_tangent.
+    """
+    return tan_phase * (2 - share) / (1 + root)
+
+
+def landen_less(share, bent, root):
+    """by what share tan ψ is less after Landen's step.
+
+    Equation DLMF 19.8(ii); proved as swing.landen_less.
+    """
+    return (share + bent * bent / (1 + root)) / (1 + root)
+
+
+def gauss_more(share, tan_square):
+    """by what share tan²ψ is more before Gauss's step than after it.
+
+    Equation DLMF 19.8(iii); proved as swing.gauss_more.
+    """
+    return share * (4 + 4 * tan_square - share) / ((2 - share) ** 2 + tan_square * (4 - 4 * share))
+
+
+def gauss_less(share, root, other_root):
+    """by what share tan²ψ is less after Gauss's step, by root = √(1 + tan²ψ) and other_root = √(1 + (b/a)² tan²ψ).
+
+    Equation DLMF 19.8(iii); proved as swing.gauss_less.
+    """
+    return (
+        0.5
+        * share
+        * (
+            1
+            + root
+            * (2 - share)
+            * ((1 - share) ** 2 + other_root * other_root)
+            / ((other_root + root * (1 - share) ** 2) * (1 + root * other_root))
+        )
+    )
 
 
 def phase_ratio(share, square, rest):
@@ -407,12 +433,12 @@ def pair_root(root_near, done_sine, whole, rate):
     return 0.125 * root_near * whole * rate / done_sine
 
 
-def point_speed(b, done_sine, x_near, pair_root):
-    """|θ_σ| by X₁ and √X₂√X₃.
+def turn_speed(sine, done_sine, left_sine, whole, rate):
+    """|θ_σ| by the phase's sum and the rate of χ over that at the turning points.
 
-    Equation exsl8; proved as swing.point_speed.
+    Equation exsl8; proved as swing.turn_speed.
     """
-    return 4 * pair_root * done_sine * done_sine * sqrt(x_near) / b
+    return whole * rate * sqrt(2) * sqrt(done_sine * left_sine) / sine
 
 
 def chi_rate(square, rest, flat, scale):

@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 5abccc2e43d556e7c1ce1c2364bf1604dfc9f56f79b1206f85544a5852697eb9
+Digest of the inputs: sha256 5501d0ccf67310a74ac2bf7c48c33fb9d133ac0df340a6cf92ba59ead7dde5c2
 """
 
 from __future__ import annotations
@@ -241,46 +241,6 @@ def far_cosine_each(second, square, delta):
     return second * each_sqrt(square) / delta
 
 
-def back_below_each(first, second, square):
-    """2a(a + b)/(a + Δ) by sin²ψ′, for a > b: Gauss's step undone.
-
-    Equation DLMF 19.8(iii); proved as swing.back_below.
-    """
-    return first + second + square * (first - second)
-
-
-def back_below_rest_each(first, second, rest):
-    """The same by cos²ψ′, for a < b: Gauss's step undone.
-
-    Equation DLMF 19.8(iii); proved as swing.back_below_rest.
-    """
-    return 2 * first - rest * (first - second)
-
-
-def back_square_each(first, square, below):
-    """sin²ψ by sin²ψ′: Gauss's step undone.
-
-    Equation DLMF 19.8(iii); proved as swing.back_square.
-    """
-    return 4 * square * first * first / (below * below)
-
-
-def back_rest_each(first, second, gap, rest, below):
-    """cos²ψ by cos²ψ′, with gap = a − b: Gauss's step undone.
-
-    Equation DLMF 19.8(iii); proved as swing.back_rest.
-    """
-    return rest * (4 * first * second + rest * gap * gap) / (below * below)
-
-
-def back_move_each(first, gap, square, rest, below):
-    """by how much sin²ψ is more than sin²ψ′, with gap = a − b: Gauss's step undone.
-
-    Equation DLMF 19.8(iii); proved as swing.back_move.
-    """
-    return gap * square * rest * (below + 2 * first) / (below * below)
-
-
 def phase_bend_each(share, first_share, square, rest, across, delta):
     """kS′τ′/(1 + kS′) after Gauss's step, by k = (a − b)/(a + b) and 1 + k; τ = sin ψ cos ψ/Δ.
 
@@ -367,6 +327,14 @@ def pair_root_each(root_near, done_sine, whole, rate):
     Proved as swing.pair_root.
     """
     return 0.125 * root_near * whole * rate / done_sine
+
+
+def turn_speed_each(sine, done_sine, left_sine, whole, rate):
+    """|θ_σ| by the phase's sum and the rate of χ over that at the turning points.
+
+    Equation exsl8; proved as swing.turn_speed.
+    """
+    return whole * rate * each_sqrt(2) * each_sqrt(done_sine * left_sine) / sine
 
 
 def rj_delta_real_each(eta, b, double_cosine):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import any_of, epsilon, floor, pi, pick
+from derive.emit.kernels.arithmetic import any_of, atan2, epsilon, floor, pi, pick, sqrt
 from derive.emit.kernels.landscape import Landscape
 from derive.emit.kernels.levels import fall, reach, ridge_fall, turn_to
 from derive.emit.kernels.rests import offset_from, pick_rest
@@ -29,12 +29,56 @@ def clamp_in(rests, angle):
     return Clamp(turns, offsets)
 
 
-class Ground(NamedTuple):
-    """What the ranges of a rod are told by: its landscape and the clamp's offsets from the directions there.
+class Ridge(NamedTuple):
+    """A ridge that is lower than the hill; all are 0 where none is.
 
-    drop: V(hill) − V(ridge); level: from the hill to the level of the ridge, depth: from there to the well; by_hill:
-    level is told by the hill, depth by the well if not; height: V(ridge) − V(clamp). They are 0 where no ridge is lower
-    than the hill.
+    drop: V(hill) − V(ridge). level: from the hill to the level of the ridge, depth: from there to the well; by_hill:
+    level is told by the hill, depth by the well if not.
+    """
+
+    drop: float
+    level: float
+    depth: float
+    by_hill: bool
+
+
+def ridge_of(beta, eta, field_angle, scene):
+    """The ridge of a landscape, seen from its first hill."""
+    drop = 0
+    if len(scene.rests) != 3 and not scene.level:
+        drop = ridge_fall(beta, eta, field_angle, scene.rests[0], scene.rests[2])
+    # A ridge lower by less than this would be passed only from within its square root of the hill.
+    if drop <= epsilon() ** 17 * (beta + eta):
+        return Ridge(0, 0, 0, True)
+    return ridge_at(beta, eta, field_angle, scene.rests, drop)
+
+
+def ridge_at(beta, eta, field_angle, rests, drop):
+    """The ridge that is lower by ``drop`` than the hill."""
+    if any_of(field_angle == 0):
+        return ridge_along(beta, eta, drop)
+    down, above = turn_to(rests[0], rests[1]), fall(eta, rests[2], 0, turn_to(rests[2], rests[1]))
+    # Of a ridge that is next to its wells V tells at the hill nothing.
+    by_hill = drop < above
+    rest, amount = pick_rest(by_hill, rests[0], rests[1]), pick(by_hill, drop, above)
+    distance = reach(eta, rest, amount, down, pick(by_hill, 1, -1))
+    level, depth = pick(by_hill, distance, down - distance), pick(by_hill, down - distance, distance)
+    return Ridge(drop, level, depth, by_hill)
+
+
+def ridge_along(beta, eta, drop):
+    """The ridge for a field along the force: with cos θ = 1 − 2β/η at its level, and −β/η at the well."""
+    more, less, root = sqrt(eta + beta), eta - beta, sqrt(beta)
+    level = 2 * atan2(root, sqrt(less))
+    # tan of half the difference of the two.
+    depth = 2 * atan2(eta * sqrt(less), (more + root) * (less + root * more))
+    return Ridge(drop, level, depth, level < depth)
+
+
+class Ground(NamedTuple):
+    """What the ranges of a rod are told by: its landscape, the clamp's offsets from the directions there, and the ridge.
+
+    drop, level, depth, by_hill: see ``Ridge``; height: V(ridge) − V(clamp), or 0 where no ridge is lower than the hill.
     """
 
     eta: float
@@ -47,16 +91,13 @@ class Ground(NamedTuple):
     height: float
 
 
-def ground_of(beta, eta, field_angle, scene, clamp):
+def ground_of(eta, scene, clamp, ridge):
     """The ground of a rod."""
-    rests, at = scene.rests, clamp.offsets
-    if len(rests) == 3:
-        return level_ground(eta, scene, at)
-    drop = 0 if scene.level else ridge_fall(beta, eta, field_angle, rests[0], rests[2])
-    # A ridge lower by less than this would be passed only from within its square root of the hill.
-    if drop <= epsilon() ** 17 * (beta + eta):
-        return level_ground(eta, scene._replace(level=True, even=True), at)
-    return ridge_ground(eta, scene, at, drop)
+    if ridge.drop > 0:
+        return ridge_ground(eta, scene, clamp.offsets, ridge)
+    if len(scene.rests) != 3 and not scene.level:
+        scene = scene._replace(level=True, even=True)
+    return level_ground(eta, scene, clamp.offsets)
 
 
 def level_ground(eta, scene, at):
@@ -64,15 +105,9 @@ def level_ground(eta, scene, at):
     return Ground(eta, scene, at, 0, 0, 0, True, 0)
 
 
-def ridge_ground(eta, scene, at, drop):
+def ridge_ground(eta, scene, at, ridge):
     """The ground with a lower ridge."""
     rests = scene.rests
-    down, above = turn_to(rests[0], rests[1]), fall(eta, rests[2], 0, turn_to(rests[2], rests[1]))
-    # Of a ridge that is next to its wells V tells at the hill nothing.
-    by_hill = drop < above
-    rest, amount = pick_rest(by_hill, rests[0], rests[1]), pick(by_hill, drop, above)
-    distance = reach(eta, rest, amount, down, pick(by_hill, 1, -1))
-    level, depth = pick(by_hill, distance, down - distance), pick(by_hill, down - distance, distance)
     # Near the far hill V says which is higher only by the distance from that hill.
-    height = pick(at[2] < -at[4], fall(eta, rests[2], 0, at[2]), fall(eta, rests[4], 0, at[4]) - drop)
-    return Ground(eta, scene, at, drop, level, depth, by_hill, height)
+    height = pick(at[2] < -at[4], fall(eta, rests[2], 0, at[2]), fall(eta, rests[4], 0, at[4]) - ridge.drop)
+    return Ground(eta, scene, at, ridge.drop, ridge.level, ridge.depth, ridge.by_hill, height)

@@ -2,14 +2,14 @@
 
 Emitted by `derive emit` from kernels/ground.py: do not edit, change that file.
 
-Digest of the inputs: sha256 b0394b4b36fa639f0c831caef99061ce6ef6b70aae5516caa2a7c81ca16ee9f2
+Digest of the inputs: sha256 388943fae91548c4190494c12543ee172be87e6cb35e84ba6150ef2c83884584
 """
 
 from __future__ import annotations
 
 from derive.emit.kernels.arithmetic import epsilon, pi
-from derive.emit.kernels.array_arithmetic import each_any_of, each_floor, each_pick
-from derive.emit.kernels.ground import Clamp, Ground
+from derive.emit.kernels.array_arithmetic import each_any_of, each_atan2, each_floor, each_pick, each_sqrt
+from derive.emit.kernels.ground import Clamp, Ground, Ridge
 from derive.emit.kernels.levels_each import fall_each, reach_each, ridge_fall_each, turn_to_each
 from derive.emit.kernels.rests_each import offset_from_each, pick_rest_each
 
@@ -26,16 +26,46 @@ def clamp_in_each(rests, angle):
     return Clamp(turns, offsets)
 
 
-def ground_of_each(beta, eta, field_angle, scene, clamp):
-    """The ground of a rod."""
-    rests, at = scene.rests, clamp.offsets
-    if len(rests) == 3:
-        return level_ground_each(eta, scene, at)
-    drop = 0 if scene.level else ridge_fall_each(beta, eta, field_angle, rests[0], rests[2])
+def ridge_of_each(beta, eta, field_angle, scene):
+    """The ridge of a landscape, seen from its first hill."""
+    drop = 0
+    if len(scene.rests) != 3 and not scene.level:
+        drop = ridge_fall_each(beta, eta, field_angle, scene.rests[0], scene.rests[2])
     # A ridge lower by less than this would be passed only from within its square root of the hill.
     if drop <= epsilon() ** 17 * (beta + eta):
-        return level_ground_each(eta, scene._replace(level=True, even=True), at)
-    return ridge_ground_each(eta, scene, at, drop)
+        return Ridge(0, 0, 0, True)
+    return ridge_at_each(beta, eta, field_angle, scene.rests, drop)
+
+
+def ridge_at_each(beta, eta, field_angle, rests, drop):
+    """The ridge that is lower by ``drop`` than the hill."""
+    if each_any_of(field_angle == 0):
+        return ridge_along_each(beta, eta, drop)
+    down, above = turn_to_each(rests[0], rests[1]), fall_each(eta, rests[2], 0, turn_to_each(rests[2], rests[1]))
+    # Of a ridge that is next to its wells V tells at the hill nothing.
+    by_hill = drop < above
+    rest, amount = pick_rest_each(by_hill, rests[0], rests[1]), each_pick(by_hill, drop, above)
+    distance = reach_each(eta, rest, amount, down, each_pick(by_hill, 1, -1))
+    level, depth = each_pick(by_hill, distance, down - distance), each_pick(by_hill, down - distance, distance)
+    return Ridge(drop, level, depth, by_hill)
+
+
+def ridge_along_each(beta, eta, drop):
+    """The ridge for a field along the force: with cos θ = 1 − 2β/η at its level, and −β/η at the well."""
+    more, less, root = each_sqrt(eta + beta), eta - beta, each_sqrt(beta)
+    level = 2 * each_atan2(root, each_sqrt(less))
+    # tan of half the difference of the two.
+    depth = 2 * each_atan2(eta * each_sqrt(less), (more + root) * (less + root * more))
+    return Ridge(drop, level, depth, level < depth)
+
+
+def ground_of_each(eta, scene, clamp, ridge):
+    """The ground of a rod."""
+    if ridge.drop > 0:
+        return ridge_ground_each(eta, scene, clamp.offsets, ridge)
+    if len(scene.rests) != 3 and not scene.level:
+        scene = scene._replace(level=True, even=True)
+    return level_ground_each(eta, scene, clamp.offsets)
 
 
 def level_ground_each(eta, scene, at):
@@ -43,15 +73,11 @@ def level_ground_each(eta, scene, at):
     return Ground(eta, scene, at, 0, 0, 0, True, 0)
 
 
-def ridge_ground_each(eta, scene, at, drop):
+def ridge_ground_each(eta, scene, at, ridge):
     """The ground with a lower ridge."""
     rests = scene.rests
-    down, above = turn_to_each(rests[0], rests[1]), fall_each(eta, rests[2], 0, turn_to_each(rests[2], rests[1]))
-    # Of a ridge that is next to its wells V tells at the hill nothing.
-    by_hill = drop < above
-    rest, amount = pick_rest_each(by_hill, rests[0], rests[1]), each_pick(by_hill, drop, above)
-    distance = reach_each(eta, rest, amount, down, each_pick(by_hill, 1, -1))
-    level, depth = each_pick(by_hill, distance, down - distance), each_pick(by_hill, down - distance, distance)
     # Near the far hill V says which is higher only by the distance from that hill.
-    height = each_pick(at[2] < -at[4], fall_each(eta, rests[2], 0, at[2]), fall_each(eta, rests[4], 0, at[4]) - drop)
-    return Ground(eta, scene, at, drop, level, depth, by_hill, height)
+    height = each_pick(
+        at[2] < -at[4], fall_each(eta, rests[2], 0, at[2]), fall_each(eta, rests[4], 0, at[4]) - ridge.drop
+    )
+    return Ground(eta, scene, at, ridge.drop, ridge.level, ridge.depth, ridge.by_hill, height)

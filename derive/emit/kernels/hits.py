@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from derive.emit.kernels.arithmetic import epsilon, inf, log, pi, sqrt
-from derive.emit.kernels.search import Crossing, Delay, excess, sample_at
+from derive.emit.kernels.arithmetic import epsilon, log, pi, sqrt
+from derive.emit.kernels.motion import motion_at
+from derive.emit.kernels.search import Crossing, Stay, excess, sample_of
 from derive.emit.kernels.swing import speed_at
 
 NEAR = 0.5  # how far a tip may be from where it was aimed, as a difference of places
@@ -39,10 +40,10 @@ def tip_on(beta, eta, field_angle, length, piece, drop, rate, long):
     place = log(rise / drop)
     if not abs(place) < DEEP:
         return None
-    ends = Delay(inf, 0, 0, 0, 0), Delay(inf, 0, 0, 0, 0)  # no place is so deep
 
     def sample(there):
-        return sample_at(beta, eta, field_angle, piece, ends, there)
+        # No place is so deep that the rod is straight for a part of its length.
+        return sample_of(there, Stay(motion_at(beta, eta, field_angle, piece, there), 0, 0, 0, 0))
 
     return crossing_near(sample, place, rate * rise * drop / piece.width, length, long)
 

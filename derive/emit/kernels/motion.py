@@ -4,25 +4,13 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import (
-    any_of,
-    asin,
-    atan2,
-    cos,
-    epsilon,
-    exp,
-    floor,
-    larger,
-    pi,
-    pick,
-    sin,
-    spacing,
-    sqrt,
-)
-from derive.emit.kernels.levels import fall, further, reach, slope, tip_fall, turn_to
+from derive.emit.kernels.arithmetic import any_of, cos, exp, larger, pi, pick, sin, sqrt
+from derive.emit.kernels.levels import turn_to
 from derive.emit.kernels.pieces import Piece
 from derive.emit.kernels.potential import fall_from_rest, moment_from_rest
-from derive.emit.kernels.shoulders import beside_shoulder, shoulder_side
+from derive.emit.kernels.rates import rates
+from derive.emit.kernels.shoulders import beside_shoulder
+from derive.emit.kernels.turning import far_side, least_moment, parallel_side
 
 
 class Motion(NamedTuple):
@@ -86,12 +74,12 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     lack = (from_hill + far_distance) / 2 if basin.whole else pi - half_width
     sine = sin(pick(lack < half_width, lack, half_width))
     near, far = 2 * near_moment / sine, 2 * far_moment / sine
-    uneven = 0 if basin.even else unevenness(eta, field_angle, tip + half_width, sine, near, far)
     # done/2 + left/2 = half_width: near half a turn one follows from the other.
     done_sine = sin(pick(done > pi, lack + left / 2, done / 2))
     left_sine = sin(pick(left > pi, lack + done / 2, left / 2))
     half_cosine = sin(lack / 2)
     centre = half_width - depth - turn_to(well, basin.axis)
+    uneven = 0 if basin.even else unevenness(eta, basin.axis, centre, sine, near, far)
     end, middle = rates(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, there)
     return Motion(
         tip,
@@ -112,157 +100,12 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     )
 
 
-def unevenness(eta, field_angle, middle, sine, near, far):
-    """√far − √near: by the roots where they are apart, else by far − near = 2η sin 2(middle − α) sin(half_width)."""
-    by_turns = 2 * eta * sin(2 * (middle - field_angle)) * sine / (sqrt(near) + sqrt(far))
+def unevenness(eta, axis, centre, sine, near, far):
+    """√far − √near: by the roots where they are apart, else by far − near = 2η sin 2(middle − α) sin(half_width).
+
+    centre: from the axis to the middle.
+    """
+    double = axis.double_sine * cos(2 * centre) + axis.double_cosine * sin(2 * centre)
+    by_turns = 2 * eta * double * sine / (sqrt(near) + sqrt(far))
     apart = (8 * near < far) | (8 * far < near) | (near + far < 2 * eta * sine)
     return pick(apart, sqrt(far) - sqrt(near), by_turns)
-
-
-def parallel_side(beta, eta, piece, rise, drop, from_hill, depth):
-    """``far_side`` within a well for a field along the force: the cosines of the turning points add up to −2β/η."""
-    basin = piece.basin
-    if piece.low_kind == "level":
-        low, high = sin(rise / 2) * sin(piece.low_offset + rise / 2), beta / eta + cos(from_hill / 2) ** 2
-    else:
-        low = sin(rise / 2) ** 2
-        low, high = beta / eta + low, (eta - beta) / eta - low
-    # sin² and cos² of half the distance from the far turning point to the far hill.
-    low, high = sqrt(larger(low, 0)), sqrt(larger(high, 0))
-    distance = 2 * atan2(low, high)
-    down = turn_to(basin.far_well, basin.far)
-    dip = sin(from_hill + depth / 2) * sin(depth / 2)
-    up = 2 * asin(within(dip / sin((down + distance) / 2)))
-    if piece.high_kind == "turn":
-        share = sin(from_hill + drop / 2) * sin(drop / 2) / sin((piece.far_gap + distance) / 2)
-        # The clamp's own distance from the hill is exact, the range's width is not.
-        rough = piece.far_gap - distance
-        left = pick(rough > 0.25 * piece.far_gap, rough, 2 * asin(within(share)))
-    else:
-        left = up + piece.high_depth
-    return (up + depth) / 2, left, 4 * eta * dip * low * high, distance
-
-
-def within(sine):
-    """A sine that rounding may have brought beyond 1."""
-    return pick(sine < 1, sine, 1)
-
-
-def far_side(eta, field_angle, piece, rise, drop, depth, done, height):
-    """Half the width of the motion, how far it goes on beyond the clamp, the moment where it turns, how far that is
-    from the far hill, and what a shoulder tells."""
-    basin = piece.basin
-    hill, well, far, far_well = basin.hill, basin.well, basin.far, basin.far_well
-    down = turn_to(far_well, far)
-    if piece.low_kind == "level":
-        below = -tip_fall(eta, piece, -rise, rise, drop)
-    else:
-        below = basin.far_rise + fall(eta, hill, 0, piece.low_offset + rise)
-    if basin.passes:
-        # Above the ridge by its height, and the ridge above the well behind it.
-        above = height + fall(eta, basin.axis, 0, turn_to(basin.axis, far_well))
-    else:
-        above = -fall(eta, well, 0, -depth)
-    by_hill = below < above
-    distance = reach_either(eta, far, far_well, by_hill, pick(by_hill, below, above), down)
-    turn = pick(by_hill, down - distance, distance)  # far turning point − far_well
-    left = pick(by_hill, piece.far_gap - distance, distance - piece.beyond_well)
-    if basin.shoulder is not None and any_of(field_angle != 0) and any_of(field_angle != pi / 2):
-        return shoulder_side(eta, piece, rise, drop, done, left, by_hill, distance)
-    if piece.high_kind == "turn":
-        left = larger(beyond_clamp(eta, piece, rise, drop, left), 0)
-    if basin.passes:
-        half_width = (turn + depth + turn_to(well, far_well)) / 2
-    else:
-        half_width = (turn + depth) / 2
-    far_moment = pick(by_hill, slope(eta, far, -distance), slope(eta, far_well, distance)) * -1
-    far_moment = larger(far_moment, least_moment(basin) * distance)
-    return half_width, left, far_moment, pick(by_hill, distance, down - distance), None
-
-
-def least_moment(basin):
-    """What rounding leaves at least of a moment, by the distance from the direction that tells it: where a hill and a
-    well all but meet, and are not among the directions that are told, it would leave nothing, or less."""
-    return epsilon() ** 2 if basin.passes or not basin.whole else 4 * epsilon()
-
-
-def reach_either(eta, hill, well, by_hill, amount, most):
-    """``reach`` down from the hill, or up from the well, whichever is asked for."""
-    rest = hill._replace(
-        stiffness=pick(by_hill, hill.stiffness, well.stiffness),
-        double_cosine=pick(by_hill, hill.double_cosine, well.double_cosine),
-        double_sine=pick(by_hill, hill.double_sine, well.double_sine),
-    )
-    return reach(eta, rest, amount, most, pick(by_hill, -1, 1))
-
-
-def beyond_clamp(eta, piece, rise, drop, rough):
-    """How far the motion goes beyond the clamp, when the tip is ``drop`` below the one that turns there.
-
-    V falls by the same amount on both sides. The rough value is as good as its difference to the clamp's distance
-    from a hill or a well allows.
-    """
-    far = rough > 0.25 * abs(piece.clamp_offset)
-    amount = tip_fall(eta, piece, drop, rise, drop)
-    return further(eta, piece.clamp_rest, piece.clamp_offset, amount, rough, far)
-
-
-def rates(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, there):
-    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle; there: the
-    far turning point, if it is beside a shoulder."""
-    middle, cosine = basin.axis.angle + centre, cos(half_width)
-    cos_middle, cos_double = cos(middle), cos(2 * (middle - field_angle))
-    product = sqrt(near) * sqrt(far)
-    excess = -(2 * beta * cos_middle * cosine + eta * cos_double * (1 + cosine * cosine))
-    if there is not None:
-        # The same: V at the ends of the motion is equal.
-        bent = eta * (1 + 2 * cosine * cosine) * sin(2 * there.lean) * sine
-        excess = far * sine * sine * cosine - 2 * there.stiffness * cosine * cosine - bent
-    split, rate = excess < 0, sqrt(product + larger(excess, 0))
-    if any_of(split):
-        mean = -(2 * beta * cos_middle + eta * cosine * cos_double)
-        apart = mean_less_field(eta, basin, centre, half_width, near, far, height, there, mean)
-        rate = pick(split, sine * sqrt(apart * (mean + eta) / pick(split, product - excess, 1)), rate)
-    return sqrt(product / 2), rate / 2
-
-
-def mean_less_field(eta, basin, centre, half_width, near, far, height, there, mean):
-    """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
-    level."""
-    apart = mean - eta
-    close = apart <= 0.1 * eta
-    if there is not None:
-        return larger(pick(close, far - 2 * eta * sin(there.lean) * sin(there.lean), apart), epsilon() * far / 4)
-    if any_of(close):
-        # 2(axis − α), and 2(middle − α).
-        axis = atan2(basin.axis.double_sine, basin.axis.double_cosine)
-        double = wrapped(axis + 2 * centre)
-        ahead, behind = sin((half_width + double) / 2), sin((half_width - double) / 2)
-        by_far, by_near = far - 2 * eta * ahead * ahead, near - 2 * eta * behind * behind
-        known = pick(2 * by_far > far, by_far, by_near)
-        far_off = close & (2 * by_far <= far) & (2 * by_near <= near)
-        if any_of(far_off):
-            # Not from a well that is far from where V is nearly level: there V tells least.
-            told, turn = pick(near < far, by_near, by_far), ahead * behind
-            above = above_field(eta, basin, wrapped(-axis - centre), turn, height)
-            known = pick(far_off, pick(height <= abs(turn) * eta * (abs(ahead) + abs(behind)), above, told), known)
-        apart = pick(close, known, apart)
-    # Over a ridge V(tip) − V is nowhere less than there; elsewhere only rounding makes it smaller than this.
-    least = larger(height, epsilon() ** 19) if basin.passes else epsilon() * pick(near < far, near, far) / 4
-    return larger(apart, least)
-
-
-def above_field(eta, basin, offset, turn, height):
-    """``mean`` less η where they are near each other: 2(V(tip) − V)/(cos(θ − middle) − cos(half_width)) at the θ at
-    which it is least, which lies then near the ridge or the well, at an offset from it.
-
-    turn: half of what it is divided by. height: V(tip) less that of the ridge or the well.
-    """
-    # As near the ridge as rounding it is nearer still: it is there to the second order in the height.
-    offset = pick(abs(offset) < 32 * spacing(offset), 0, offset)
-    return (height + fall(eta, basin.axis, 0, offset)) / pick(turn == 0, 1, turn)
-
-
-def wrapped(angle):
-    """The angle less whole turns, between −π and π."""
-    return angle - 2 * pi * floor(angle / (2 * pi) + 0.5)

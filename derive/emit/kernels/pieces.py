@@ -10,7 +10,6 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import any_of, larger, pi, pick
-from derive.emit.kernels.ground import ground_of
 from derive.emit.kernels.levels import fall, onward, reach, turn_to
 from derive.emit.kernels.rests import Rest, pick_rest
 from derive.emit.kernels.shoulders import with_shoulder_level
@@ -62,9 +61,8 @@ class Piece(NamedTuple):
     past_well: float  # clamp − well
 
 
-def pieces(beta, eta, field_angle, scene, clamp):
+def pieces(eta, field_angle, ground):
     """All ranges of tip angles below the clamp angle, from low to high, one after the other as they are asked for."""
-    ground = ground_of(beta, eta, field_angle, scene, clamp)
     found = (build(ground) for here, build in ranges(ground) if here)
     if field_angle == 0 or field_angle == pi / 2:
         return found

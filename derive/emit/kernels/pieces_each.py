@@ -2,23 +2,21 @@
 
 Emitted by `derive emit` from kernels/pieces.py: do not edit, change that file.
 
-Digest of the inputs: sha256 52f09f29b420e8637264410612b9ba3bb08c8e8c093ab6fbbfec6518106325ec
+Digest of the inputs: sha256 6845cd39e8093e64831ff9a2d7194c143ef42a3ff0d231d4dcaeb7b36b7aa3de
 """
 
 from __future__ import annotations
 
 from derive.emit.kernels.arithmetic import pi
 from derive.emit.kernels.array_arithmetic import each_abs, each_any_of, each_pick, larger
-from derive.emit.kernels.ground_each import ground_of_each
 from derive.emit.kernels.levels_each import fall_each, onward_each, reach_each, turn_to_each
 from derive.emit.kernels.pieces import Basin, Piece
 from derive.emit.kernels.rests_each import pick_rest_each
 from derive.emit.kernels.shoulders import with_shoulder_level
 
 
-def pieces_each(beta, eta, field_angle, scene, clamp):
+def pieces_each(eta, field_angle, ground):
     """All ranges of tip angles below the clamp angle, from low to high, one after the other as they are asked for."""
-    ground = ground_of_each(beta, eta, field_angle, scene, clamp)
     found = (build(ground) for here, build in ranges_each(ground) if here)
     if field_angle == 0 or field_angle == pi / 2:
         return found

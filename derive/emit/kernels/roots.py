@@ -40,29 +40,37 @@ def bracketed_root(function, places, values, blur):
         halve = little and 2 * abs(b - a) > width
 
 
-def smooth_root(function, low, high, value_low, value_high, blur):
-    """A zero of a function that rises or falls all the way between two places, and its slope there, by secants.
+def smooth_root(function, places, values, sag, blur):
+    """A zero of a function that rises or falls all the way between the first two places, and its slope there.
 
-    Where the function is cheap and all but straight these take less time than polynomials. blur: a value that rounding
-    may have made of zero; values that differ by less than a thousand of it tell no slope.
+    By the zero of the parabola through the last three; where the function is cheap and all but straight that takes less
+    time than ``bracketed_root``. sag: half of what |f″| is nowhere more than. blur: a value that rounding may have made
+    of zero, or a chord too, so that a look would tell nothing.
     """
-    slope, rising = (value_high - value_low) / (high - low), value_high > value_low
-    place, value = (low, value_low) if abs(value_low) < abs(value_high) else (high, value_high)
-    while abs(value) > blur:
-        trial = place - value / slope
+    (place, before, third), (value, value_before, value_third) = places, values
+    low, high = (place, before) if place < before else (before, place)
+    rising = (value > 0) == (place == high)
+    while True:
+        chord = (value - value_before) / (place - before)
+        twist = ((value_before - value_third) / (before - third) - chord) / (third - place)
+        slope = chord - twist * (before - place)
+        bent = slope * slope - twist * value
+        step = value * slope / bent if bent != 0 else high - low
+        trial = place - step
         if not low < trial < high:
+            if abs(value) <= blur:
+                return place, slope
             trial = (low + high) / 2
             if not low < trial < high:
-                break
-        new = function(trial)
-        if (new > 0) == rising:
-            high = trial
+                return place, slope
+        elif abs(value) <= blur or sag * abs(step * (trial - before)) <= blur:
+            return trial, slope
+        third, value_third, before, value_before = before, value_before, place, value
+        place, value = trial, function(trial)
+        if (value > 0) == rising:
+            high = place
         else:
-            low = trial
-        if abs(new - value) > 1000 * blur:
-            slope = (new - value) / (trial - place)
-        place, value = trial, new
-    return place - value / slope, slope
+            low = place
 
 
 def with_node(nodes, parts, place, value):

@@ -10,11 +10,12 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import ceil, deepest, epsilon, floor, pi, sqrt
+from derive.emit.kernels.landen import swing_and_arrival
 from derive.emit.kernels.levels import turn_to
 from derive.emit.kernels.motion import Motion, motion_at
 from derive.emit.kernels.roots import bracketed_root, dip
 from derive.emit.kernels.sampling import samples_on
-from derive.emit.kernels.swing import Phase, lengths, phase_of
+from derive.emit.kernels.swing import Phase, phase_of
 
 
 class Delay(NamedTuple):
@@ -105,10 +106,14 @@ def stay_at(beta, eta, field_angle, piece, ends, place):
 
 def sample_at(beta, eta, field_angle, piece, ends, place):
     """The sample at a place."""
-    stay = stay_at(beta, eta, field_angle, piece, ends, place)
+    return sample_of(place, stay_at(beta, eta, field_angle, piece, ends, place))
+
+
+def sample_of(place, stay):
+    """The sample of a motion."""
     motion = stay.motion
     phase = phase_of(motion)
-    regular = swing, arrival = lengths(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
+    regular = swing, arrival = swing_and_arrival(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
     swing, arrival = swing + stay.tip + stay.middle + stay.far, arrival + stay.tip + stay.arrival
     return Sample(place, swing, arrival, stay, phase, regular)
 

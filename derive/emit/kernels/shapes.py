@@ -22,16 +22,16 @@ from derive.emit.kernels.formulas import (
     phase_ratio,
     phase_sum,
     point_pole,
-    point_speed,
     strength,
     turn_level,
     turn_over,
+    turn_speed,
     turn_tilt,
     turn_tilt_apart,
     turn_under,
     unit_sine,
 )
-from derive.emit.kernels.swing import phase_at
+from derive.emit.kernels.landen import phase_at
 
 
 class Station(NamedTuple):
@@ -140,8 +140,7 @@ def regular_part(rod, swing, station, here, left, position):
         square, rest = phase_beside(a, b, swing.square, swing.rest, station, here + left)
     else:
         square, rest = phase_at(a, b, here, left)
-    point, half, low = point_at(motion, square, rest)
-    speed = point_speed(point.strength, low, point.one, point.product)
+    point, half, speed = point_at(motion, square, rest)
     # The clamp angle is exact: what is measured from there is told from there.
     anchor, turned = rod.clamp_angle, 2 * half - motion.done
     if station.away == 0:
@@ -203,7 +202,7 @@ def phase_before(a, b, square, rest, by):
 
 
 def point_at(motion, square, rest):
-    """The point at ψ by sin²ψ and cos²ψ, and half the angle from the tip to it with its sine, by cos χ."""
+    """The point at ψ by sin²ψ and cos²ψ, half the angle from the tip to it, and |dθ/dσ| there, by cos χ."""
     a, b, near, far = motion.end / 2, motion.middle / 2, sqrt(motion.near), sqrt(motion.far)
     flat = (b / a) * (b / a) * square
     scale = chi_scale(square, rest, flat)
@@ -216,14 +215,15 @@ def point_at(motion, square, rest):
     sine, cosine = sin(motion.half_width / 2), motion.half_cosine
     over, under = turn_over(near, sine, cosine, versine), turn_under(sine, cosine, level, tilt)
     left_over, left_under = turn_over(far, sine, cosine, coversine), turn_under(sine, cosine, level, -tilt)
-    done = unit_sine(over, under)
-    whole = phase_sum(near, far, done, unit_sine(left_over, left_under))
+    done, ahead = unit_sine(over, under), unit_sine(left_over, left_under)
+    whole = phase_sum(near, far, done, ahead)
+    rate = chi_rate(square, rest, flat, scale)
     delta, strong = phase_rate(a, b, square, rest), strength(motion.near_moment)
     point = Point(
         strong,
         point_pole(strong, over, under),
         near_by_phase(square, rest, a * a / delta),
-        pair_root(near, done, whole, chi_rate(square, rest, flat, scale)),
+        pair_root(near, done, whole, rate),
         pair_root_sum(square, delta),
     )
-    return point, atan2(over, under), done
+    return point, atan2(over, under), turn_speed(motion.sine, done, ahead, whole, rate)

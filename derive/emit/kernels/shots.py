@@ -21,6 +21,7 @@ UNSURE = 1e-10  # as a share of the same, what is missed of which the hundredth 
 SLACK = 0.02  # by how much more than the bound samples must be apart for that
 REACH = 1e-3  # by how much more than a bound tips are looked for
 ALIKE = 1e-14  # as ``UNSURE``, what rounding may have made of zero
+SHOT_SERIES_SLOW = 0.6  # ℓ√(β + η) up to which the series of ℘ is right to the ten-trillionth part
 
 
 class Shot(NamedTuple):
@@ -39,14 +40,12 @@ def tip_shots(beta, eta, field_angle, length, clamp_angle):
     clamp = less_quarters(clamp_angle, 4 * floor(clamp_angle / (2 * pi) + 0.5))
     if abs(beta * sin(clamp) + eta / 2 * sin(2 * (clamp - field_angle))) < LEVEL:
         return None
-
-    def missed(offset):
-        return miss_of(beta, eta, field_angle, clamp, offset)
-
+    missed = miss_of(beta, eta, field_angle, clamp, slow)
     # θ″ is nowhere more than β + η/2, and no motion is wider than a turn.
     reach = (1 + REACH) * min((beta + eta / 2) / 2, 2 * pi)
-    samples = samples_apart(missed, reach, shot_bend(beta, eta, (exp(slow / 2) - exp(-slow / 2)) ** 2 / 2) / 2)
-    return None if samples is None else zeros_between(missed, samples[0], samples[1], reach)
+    sag = shot_bend(beta, eta, (exp(slow / 2) - exp(-slow / 2)) ** 2 / 2) / 2
+    samples = samples_apart(missed, reach, sag)
+    return None if samples is None else zeros_between(missed, samples[0], samples[1], sag, ALIKE * reach)
 
 
 def mirror_shots(shots):
@@ -54,25 +53,34 @@ def mirror_shots(shots):
     return [Shot(-shot.offset, shot.rate) for shot in shots[::-1]]
 
 
-def miss_of(beta, eta, field_angle, clamp_angle, offset):
-    """The angle at arc length 0 of a motion from a tip at an offset from the clamp angle, less the clamp angle.
+def miss_of(beta, eta, field_angle, clamp_angle, slow):
+    """The angle at arc length 0 of a motion from a tip, less the clamp angle: a function of the tip's offset from it.
 
-    The rod's length is 1.
+    The rod's length is 1; slow: √(β + η).
     """
-    tip = clamp_angle + offset
-    double = 2 * (tip - field_angle)
-    along, across, half = beta * cos(tip), beta * sin(tip), eta / 2 * sin(double)
-    p, m, q = across + half, across - half, along + eta * cos(double)
-    quarter, c = p * m / 4, q / 12
-    g2, g3 = q * c - quarter, (quarter - q * q / 18) * c - along * p * p / 16
-    # ℘(1) by the series at 1/8 and three doublings.
-    a, b, fourth, twice = g2 / 81920, g3 / 7340032, g2 / 4, 2 * g3
-    value = 64 * (1 + a + b + a * a / 3 + a * b * (3 / 11) + (2 * a * a * a / 3 + b * b) / 13)
-    for _ in range(3):
-        squared = value * value
-        above = squared + fourth
-        value = (above * above + twice * value) / (value * (4 * squared - g2) - g3)
-    return offset + 2 * atan2(p / 4, value - c)
+    # ℘ by its series on a part of the rod, and by as many doublings as make that the whole.
+    doublings, share = 0, 1
+    while slow * share > SHOT_SERIES_SLOW:
+        doublings, share = doublings + 1, share / 2
+    force, field, steps = beta * share * share, eta * share * share, range(doublings)
+
+    def missed(offset):
+        tip = clamp_angle + offset
+        double = 2 * (tip - field_angle)
+        across, half = force * sin(tip), field / 2 * sin(double)
+        along, p, quarter = force * cos(tip), across + half, (across - half) * (across + half) / 4
+        c = (along + field * cos(double)) / 12
+        square = c * c
+        g2, g3 = 12 * square - quarter, (quarter - 8 * square) * c - along * p * p / 16
+        a, b, fourth, twice = g2 / 20, g3 / 28, g2 / 4, 2 * g3
+        value = 1 + a * (1 + a * (1 / 3 + a * (2 / 39)) + b * (3 / 11 + a * (2 / 33))) + b * (1 + b / 13)
+        for _ in steps:
+            squared = value * value
+            above = squared + fourth
+            value = (above * above + twice * value) / (value * (4 * squared - g2) - g3)
+        return offset + 2 * atan2(p / 4, value - c)
+
+    return missed
 
 
 def samples_apart(function, reach, sag):
@@ -82,16 +90,16 @@ def samples_apart(function, reach, sag):
     of zero it has none between if the sum of their square roots is more than the width times √sag; and where their
     sum is more than sag·width² it rises or falls all the way.
     """
-    places, values = [-reach], [function(-reach)]
-    todo, bound = [(reach, function(reach))], (1 + SLACK) * sag
+    before, start, bound = -reach, function(-reach), (1 + SLACK) * sag
+    places, values, todo = [before], [start], [(reach, function(reach)), (0, function(0))]
     while todo:
         place, value = todo[-1]
-        before, width = values[-1], place - places[-1]
-        apart = abs(value - before) if (value > 0) != (before > 0) else abs(value + before) + 2 * sqrt(value * before)
+        width, both = place - before, value * start
+        apart = abs(value - start) if both < 0 else abs(value + start) + 2 * sqrt(both)
         if apart > bound * width * width:
             places.append(place)
             values.append(value)
-            todo.pop()
+            before, start = todo.pop()
         elif width < CLOSEST * reach:
             return None
         else:
@@ -100,11 +108,13 @@ def samples_apart(function, reach, sag):
     return None if min(abs(value) for value in values) < UNSURE * reach else (places, values)
 
 
-def zeros_between(function, places, values, reach):
-    """The zeros between the places, as Shots."""
+def zeros_between(function, places, values, sag, blur):
+    """The zeros between the places, as Shots; sag: as in ``samples_apart``. blur: what rounding may make of zero."""
     found = []
     for k in range(1, len(places)):
         if (values[k] > 0) != (values[k - 1] > 0):
-            span = places[k - 1], places[k], values[k - 1], values[k]
-            found.append(Shot(*smooth_root(function, *span, ALIKE * reach)))
+            beside = k + 1 if k + 1 < len(places) else k - 2
+            near = (k - 1, k, beside) if abs(values[k - 1]) < abs(values[k]) else (k, k - 1, beside)
+            known = [places[i] for i in near], [values[i] for i in near]
+            found.append(Shot(*smooth_root(function, *known, sag, blur)))
     return found

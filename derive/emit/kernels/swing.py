@@ -6,11 +6,6 @@ from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import any_of, arc_excess, atan2, epsilon, hypot, larger, pi, pick, sin, sqrt
 from derive.emit.kernels.formulas import (
-    back_below,
-    back_below_rest,
-    back_move,
-    back_rest,
-    back_square,
     chi_square,
     gauss_gap,
     gauss_rest,
@@ -24,6 +19,7 @@ from derive.emit.kernels.formulas import (
     phase_lead,
     phase_rate,
     phase_sum,
+    turn_speed,
 )
 
 
@@ -60,7 +56,8 @@ def phase_of(motion):
 
 def speed_at(motion, phase):
     """|dθ/dσ| where the motion meets the clamp."""
-    return phase.delta * phase.whole / (motion.end * motion.sine) * sqrt(2 * motion.done_sine * motion.left_sine)
+    rate = phase.delta / motion.end
+    return turn_speed(motion.sine, motion.done_sine, motion.left_sine, phase.whole, rate)
 
 
 def lengths(a, b, square, rest):
@@ -100,28 +97,3 @@ def second_kind(a, b, square, rest, arrival):
         gap = gauss_gap(gap, a + b)  # a difference would lose what the weight brings out
     last = arc_excess((a + b) * arrival) / (a + b)
     return integral + (weights + weight) * last, excess + last
-
-
-def phase_at(a, b, length, left):
-    """sin²ψ and cos²ψ at lengths from the tip and from the half-swing's end: the transformation undone."""
-    limit, gap = 2 * epsilon() ** 0.5, a - b
-    steps = [(a, b, gap)]
-    while any_of(abs(gap) > limit * a):
-        a, b = (a + b) / 2, sqrt(a * b)
-        gap = gauss_gap(gap, a + b)
-        steps.append((a, b, gap))
-    a, b = (a + b) / 2, sqrt(a * b)
-    first = length <= left
-    small = sin((a + b) / 2 * pick(first, length, left))
-    small = small * small
-    square, rest = pick(first, small, 1 - small), pick(first, 1 - small, small)
-    for a, b, gap in reversed(steps):
-        below = pick(gap > 0, back_below(a, b, square), back_below_rest(a, b, rest))
-        # A small change rounds less than a product; a large one could cancel.
-        move = back_move(a, gap, square, rest, below)
-        little = abs(move) < 0.25 * pick(square < rest, square, rest)
-        far, far_rest = back_square(a, square, below), back_rest(a, b, gap, rest, below)
-        square, rest = pick(little, square + move, far), pick(little, rest - move, far_rest)
-        # The larger one is told best by the smaller one, and its rounding would double in each step.
-        square, rest = pick(rest < square, 1 - rest, square), pick(rest < square, rest, 1 - square)
-    return square, rest

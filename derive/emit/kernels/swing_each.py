@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/swing.py: do not edit, change that file.
 
-Digest of the inputs: sha256 a094756bcfaea9c7a9b6216a944786c4b0d5faa6122c13f8c4fe166edac954e6
+Digest of the inputs: sha256 dea16abd367b1a158d1af4ffacbf8799a509260795c4ac4b9ba39cacf40c1717
 """
 
 from __future__ import annotations
@@ -20,11 +20,6 @@ from derive.emit.kernels.array_arithmetic import (
     larger,
 )
 from derive.emit.kernels.formulas_each import (
-    back_below_each,
-    back_below_rest_each,
-    back_move_each,
-    back_rest_each,
-    back_square_each,
     chi_square_each,
     gauss_gap_each,
     gauss_rest_each,
@@ -38,6 +33,7 @@ from derive.emit.kernels.formulas_each import (
     phase_lead_each,
     phase_rate_each,
     phase_sum_each,
+    turn_speed_each,
 )
 from derive.emit.kernels.swing import Phase
 
@@ -64,7 +60,8 @@ def phase_of_each(motion):
 
 def speed_at_each(motion, phase):
     """|dθ/dσ| where the motion meets the clamp."""
-    return phase.delta * phase.whole / (motion.end * motion.sine) * each_sqrt(2 * motion.done_sine * motion.left_sine)
+    rate = phase.delta / motion.end
+    return turn_speed_each(motion.sine, motion.done_sine, motion.left_sine, phase.whole, rate)
 
 
 def lengths_each(a, b, square, rest):
@@ -104,28 +101,3 @@ def second_kind_each(a, b, square, rest, arrival):
         gap = gauss_gap_each(gap, a + b)  # a difference would lose what the weight brings out
     last = each_arc_excess((a + b) * arrival) / (a + b)
     return integral + (weights + weight) * last, excess + last
-
-
-def phase_at_each(a, b, length, left):
-    """sin²ψ and cos²ψ at lengths from the tip and from the half-swing's end: the transformation undone."""
-    limit, gap = 2 * epsilon() ** 0.5, a - b
-    steps = [(a, b, gap)]
-    while each_any_of(each_abs(gap) > limit * a):
-        a, b = (a + b) / 2, each_sqrt(a * b)
-        gap = gauss_gap_each(gap, a + b)
-        steps.append((a, b, gap))
-    a, b = (a + b) / 2, each_sqrt(a * b)
-    first = length <= left
-    small = each_sin((a + b) / 2 * each_pick(first, length, left))
-    small = small * small
-    square, rest = each_pick(first, small, 1 - small), each_pick(first, 1 - small, small)
-    for a, b, gap in reversed(steps):
-        below = each_pick(gap > 0, back_below_each(a, b, square), back_below_rest_each(a, b, rest))
-        # A small change rounds less than a product; a large one could cancel.
-        move = back_move_each(a, gap, square, rest, below)
-        little = each_abs(move) < 0.25 * each_pick(square < rest, square, rest)
-        far, far_rest = back_square_each(a, square, below), back_rest_each(a, b, gap, rest, below)
-        square, rest = each_pick(little, square + move, far), each_pick(little, rest - move, far_rest)
-        # The larger one is told best by the smaller one, and its rounding would double in each step.
-        square, rest = each_pick(rest < square, 1 - rest, square), each_pick(rest < square, rest, 1 - square)
-    return square, rest
