@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/rates.py: do not edit, change that file.
 
-Digest of the inputs: sha256 7b16458e4dff6119e9356dc27f37e530b232ae8edc02719652b9f85eee78a732
+Digest of the inputs: sha256 a0b930278f8bfeee0e174c707b1b2bbc607a68d9df0b90ee095735757e459938
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ def mean_less_field_each(eta, basin, centre, half_width, near, far, height, besi
     """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
     level."""
     apart = mean - eta
-    close = apart <= 0.1 * eta
+    close = apart <= 0.3 * eta
     if beside is not None:
         rate = far if beside.is_far else near
         twist = end_twist_each(eta, rate, beside.stiffness, each_sin(half_width), each_cos(half_width))
