@@ -166,7 +166,7 @@ KERNEL_MUTANTS = [
     pytest.param("equilibria", "through * a + b", "through * a - b", id="an arc on the wrong side"),
     pytest.param("search", "else (1, -1):\n", "else (1,):\n", id="half of the branches"),
     pytest.param("search", "+ sign * item.arrival - length", "- sign * item.arrival - length", id="the other branch"),
-    pytest.param("landscape", "eta - beta", "eta + beta", id="wells in the wrong place"),
+    pytest.param("symmetric_landscapes", "eta - beta", "eta + beta", id="wells in the wrong place"),
     pytest.param("blocks", "case=found.case + start", "case=found.case + 1", id="cases of a sweep one too high"),
     pytest.param("block_tips", "-side * found.sign", "found.sign", id="a sign in a sweep"),
     pytest.param("block_tips", "side * (length * heading", "(length * heading", id="no mirror image in a sweep"),

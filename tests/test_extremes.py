@@ -18,7 +18,7 @@ from hypothesis import strategies as st
 from spying import calls_of
 
 from derive.cli import main
-from derive.emit.kernels import api, bounds, dense, exchanges, search
+from derive.emit.kernels import api, bounds, dense, exchanges, time_map
 from derive.resources import shipped_scenes
 
 SCENES = sorted(shipped_scenes())
@@ -227,7 +227,7 @@ def test_the_last_angles_that_are_told(angle: float) -> None:
 def test_an_index_limit_bounds_the_work(
     beta: float, eta: float, field: float, number: int, length: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    calls = calls_of(monkeypatch, search, "motion_at")
+    calls = calls_of(monkeypatch, time_map, "motion_at")
     found = api.equilibria(beta, eta, length, 2.0, field, max_index=2)
     assert len(found) == number
     assert {one.index for one in found} == {0, 1, 2}

@@ -100,6 +100,7 @@ EACH = "_each"  # suffix of functions and formulas of an array instance, and of 
 _ON_ARRAYS = (
     "arcs",
     "arrivals",
+    "basins",
     "ground",
     "landscape",
     "levels",
@@ -107,9 +108,11 @@ _ON_ARRAYS = (
     "oblique_rests",
     "pieces",
     "potential",
+    "range_kinds",
     "rates",
     "rests",
     "swing",
+    "symmetric_landscapes",
     "turning",
 )
 ARRAY_INSTANCES = {stem: stem + EACH for stem in _ON_ARRAYS}

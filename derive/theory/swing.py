@@ -2,11 +2,12 @@
 
 They start from the half-angle quartic of ``oblique`` and need no load case. The scripts: ``swing_levels`` (θ″ and the
 potential V), ``swing_rest`` (the directions of equilibrium), ``swing_shots`` (bounds for every tip), ``swing_turns``
-(two turning points), ``swing_rates`` (the length as a Legendre integral), ``swing_phase`` (its phase, and Gauss's
-step), ``swing_second`` (an integral of the second kind by that step), ``swing_landen`` (that step and Landen's by what
-they change), ``swing_before`` (the phase a length before a known one), ``swing_points`` (℘ at the tip),
-``swing_place`` and ``swing_angle`` (the same and θ by the phase), ``swing_along`` (integrals as claims),
-``swing_arcs`` (the position), ``swing_square`` and ``swing_energy`` (∫η cos²(θ − α), by R_D and by the phase).
+(two turning points), ``swing_ends`` (the same by one of them), ``swing_rates`` (the length as a Legendre integral),
+``swing_phase`` (its phase, and Gauss's step), ``swing_second`` (an integral of the second kind by that step),
+``swing_landen`` (that step and Landen's by what they change), ``swing_before`` (the phase a length before a known
+one), ``swing_points`` (℘ at the tip), ``swing_place`` and ``swing_angle`` (the same and θ by the phase),
+``swing_along`` (integrals as claims), ``swing_arcs`` (the position), ``swing_square`` and ``swing_energy``
+(∫η cos²(θ − α), by R_D and by the phase).
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from .plane import Plane
 from .swing_angle import write_angle
 from .swing_arcs import write_arcs
 from .swing_before import write_before
+from .swing_ends import write_ends
 from .swing_energy import write_energy
 from .swing_landen import write_landen
 from .swing_levels import Levels, write_levels
@@ -63,6 +65,7 @@ def derive(plane: Plane, oblique: Oblique, book: Notebook) -> Swing | None:
     write_shots(levels, writer)
     book.say("Any angle of the field. The motion between two turning points")
     turns = write_turns(levels, writer)
+    write_ends(levels, turns, writer)
     write_rates(writer)
     write_phase(writer)
     write_second_kind(writer)

@@ -112,6 +112,20 @@ def _write_moment(levels: Levels, writer: Writer) -> None:
         anywhere(rest, offset),
         steps=("moment", "rest_stiffness"),
     )
+    # cos 2o − cos o = −2 sin(3o/2) sin(o/2), sin 2o − ½ sin o = sc(3 − 8s²).
+    turned_double = 2 * double_cosine * sine * (3 - 4 * sine**2) + double_sine * cosine * (3 - 8 * sine**2)
+    writer.add(
+        "stiffness_beside",
+        (*REST, sine, cosine),
+        stiffness * (1 - 2 * sine**2) - eta * sine * turned_double,
+        "dθ″/dθ at an offset from a direction without moment, by the sine and cosine of half the offset",
+        lambda value: Equal(
+            _from_rest(value, levels) - turned(moment, rest) * sin(offset),
+            turned(diff(moment, theta), Add(rest, offset)),
+        ),
+        anywhere(rest, offset),
+        steps=("moment", "rest_stiffness", "rest_moment"),
+    )
 
 
 def _at_rest(value: Expr) -> Expr:

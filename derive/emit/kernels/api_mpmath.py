@@ -7,8 +7,8 @@ from derive.emit.kernels.arguments import all_real, index_limit
 from derive.emit.kernels.arguments_mpmath import many_rods
 from derive.emit.kernels.block_records import element
 from derive.emit.kernels.bounds import must_have_answer
-from derive.emit.kernels.equilibria import Equilibrium, length_of
 from derive.emit.kernels.literal import angle_and_position_literally
+from derive.emit.kernels.rods import Equilibrium, length_of
 from derive.emit.kernels.shapes import angle_and_position
 
 

@@ -1,7 +1,7 @@
 """Where motions from rest at a tip are after the length of a short rod, on arrays.
 
 From a tip φ the motion is at φ + 2 arctan(b/(℘(σ) − c)) (`theory/oblique`), and ℘ follows from its series near 0 by
-the duplication formula (DLMF 23.9.2, 23.10.7): no roots, no ranges.
+the duplication formula (DLMF 23.9.2, 23.10.7, here of ℘ − c): no roots, no ranges.
 """
 
 from __future__ import annotations
@@ -13,15 +13,17 @@ from numpy import ceil, float32, floor, log2, maximum, minimum, searchsorted, ze
 from derive.emit.kernels.arithmetic import pi
 from derive.emit.kernels.array_arithmetic import each_atan2, each_cos, each_less_quarters, each_sin
 
-SERIES_SLOW = 0.3  # σ√(β + η) up to which the series of ℘(σ) is right to rounding: no less than 1.49π/16
+SERIES_END = 0.3  # σ√(β + η) up to which the series of ℘(σ) is right to rounding: no less than 1.49π/16
 
 
 class Load(NamedTuple):
-    """What acts on rods, in units of their length, and the clamp angle less whole turns.
+    """What acts on rods, in units of their length, and the clamp angle less half turns: exact beside one.
 
-    reach: how far the tip may be from the clamp.
+    facing: −1 after an odd number of half turns, else 1, and β of that sign. reach: how far the tip may be from the
+    clamp.
     """
 
+    facing: Any
     beta: Any
     eta: Any
     double_cosine: Any
@@ -35,8 +37,9 @@ def load_of(rods):
     square = rods.length * rods.length
     twice = 2 * rods.field_angle + zeros(rods.case.shape)
     reach = minimum((rods.beta + rods.eta / 2) * square / 2, 2 * pi) * (1 + 1e-3)
-    clamp = each_less_quarters(rods.clamp_angle, 4 * floor(rods.clamp_angle / (2 * pi) + 0.5))
-    return Load(rods.beta * square, rods.eta * square, each_cos(twice), each_sin(twice), clamp, reach)
+    half_turns = floor(rods.clamp_angle / pi + 0.5)
+    clamp, facing = each_less_quarters(rods.clamp_angle, 2 * half_turns), 1 - 2 * (half_turns % 2)
+    return Load(facing, facing * rods.beta * square, rods.eta * square, each_cos(twice), each_sin(twice), clamp, reach)
 
 
 class Quartic(NamedTuple):
@@ -51,7 +54,7 @@ class Quartic(NamedTuple):
 
 
 class Aim(NamedTuple):
-    """A tip: the quartic, and cosine and sine of θ(ℓ) and of 2(θ(ℓ) − α)."""
+    """A tip: the quartic, and cosine and sine of θ(ℓ), as the load faces, and of 2(θ(ℓ) − α)."""
 
     quartic: Quartic
     heading: Any
@@ -94,7 +97,7 @@ def ahead_at_clamp(quartic):
 
 def ahead_along(quartic, place, slow):
     """℘ − c at places in (0, 1], a row for each, which go up. slow: the greatest ℓ√(β + η)."""
-    doublings = maximum(ceil(log2(place * (slow / SERIES_SLOW))), 0).astype(int)
+    doublings = maximum(ceil(log2(place * (slow / SERIES_END))), 0).astype(int)
     start, eighth = place * 0.5**doublings, eighth_of(quartic)
     value = ahead_near_tip(quartic, (start * start)[:, None], False)
     for k in range(doublings[-1]):

@@ -4,32 +4,31 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from numpy import abs, arange, concatenate, flatnonzero, full, inf, log, unique, where, zeros
+from numpy import abs, arange, concatenate, flatnonzero, full, unique, zeros
 
 from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import each_any_of
+from derive.emit.kernels.block_dips import by_dips
 from derive.emit.kernels.block_places import in_time
 from derive.emit.kernels.block_records import rows
 from derive.emit.kernels.ground_each import clamp_in_each, level_ground_each, ridge_at_each, ridge_ground_each
 from derive.emit.kernels.landscape_each import (
     has_second_pair_each,
-    mirror_landscape_each,
-    no_field_each,
     oblique_alone_each,
     oblique_double_each,
     oblique_single_each,
+)
+from derive.emit.kernels.levels_each import ridge_fall_each
+from derive.emit.kernels.pieces_each import ranges_each
+from derive.emit.kernels.rests_each import mirror_landscape_each
+from derive.emit.kernels.symmetric_landscapes_each import (
+    no_field_each,
     orthogonal_double_each,
     orthogonal_single_each,
     parallel_alone_each,
     parallel_double_each,
     parallel_single_each,
 )
-from derive.emit.kernels.levels_each import fall_each, reach_each, ridge_fall_each, turn_to_each
-from derive.emit.kernels.oblique_rests_each import astroid_cusp_each, ridge_couple_each
-from derive.emit.kernels.pieces_each import ranges_each
-
-NEARLY = 0.3  # how far η may be below the value at which a ridge appears, and still slow motions down, over β + η
-SHARP = 0.01  # the same from which on the dips are too narrow for the samples here
 
 
 class Rods(NamedTuple):
@@ -86,33 +85,6 @@ def groups(rods):
                 found += parts
                 doubtful.append(sharp)
     return found, straight, concatenate(doubtful)
-
-
-def by_dips(group, wanted):
-    """The ranges that are wanted, without and with a dip, and the cases left to the scalar solver, for their dip is
-    too sharp."""
-    missing, dip = nearly_ridge(group.rods, group.piece)
-    plain, wide = wanted & (missing > NEARLY), wanted & (missing <= NEARLY) & (missing >= SHARP)
-    parts = [rows(group, plain)] if plain.any() else []
-    if wide.any():
-        parts.append(rows(group._replace(dip=dip), wide))
-    return parts, group.rods.case[wanted & ~plain & ~wide]
-
-
-def nearly_ridge(rods, piece):
-    """How far η is below the value at which a ridge would appear, and the place at which the motion would meet it:
-    see ``search.places``. No number where that is not on the range."""
-    basin = piece.basin
-    if basin.even or basin.passes or piece.low_kind == "level" or not basin.whole:
-        return full(rods.case.shape, inf), rods.slow
-    beta, eta, angle = rods.beta, rods.eta, abs(rods.field_angle)
-    side = astroid_cusp_each(angle)
-    missing = -ridge_couple_each(beta, eta, angle, side) / (beta + eta)
-    cusp = where(rods.field_angle > 0, angle + pi + side, pi - angle - side)
-    down = turn_to_each(basin.hill, basin.well)
-    rise = reach_each(eta, basin.hill, fall_each(eta, basin.hill, 0, cusp - basin.hill.angle), down, 1)
-    inside = (rise > 0) & (rise < piece.width)
-    return where(inside, missing, inf), log(rise / (piece.width - rise))
 
 
 def by_landscape(rods):

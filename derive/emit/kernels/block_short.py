@@ -22,8 +22,8 @@ from derive.emit.kernels.block_arrivals import Quartic, ahead_along, aim_at, loa
 from derive.emit.kernels.block_records import joined, rows
 from derive.emit.kernels.block_tips import Columns, no_columns
 
-POINTS_PER = 9.1  # points for each unit of ℓ√(β + η), and
-POINTS_MORE = 2.5  # as many more, which leave out less than 2⁻⁵³ of the integral (docs/solver.md)
+POINTS_PER = 8.9  # points for each unit of ℓ√(β + η), and
+POINTS_MORE = 2.8  # as many more, which leave out less than 2⁻⁵³ of the integral (docs/solver.md)
 VALUES = 8192  # points of rods at once: arrays that stay in the cache
 REFINED = 4  # Newton's steps to a root of a Legendre polynomial: of the last one the weight would show half the digits
 
@@ -44,10 +44,12 @@ def short_rods(rods, shots, most):
     index = where(shots.rising, 0, 1)
     shots, index = rows((shots, index), index <= most)
     some = rows(rods, shots.rod)
-    offset, tip = last_step(load_of(some), shots)
+    load = load_of(some)
+    offset, tip = corrected(load, shots)
     bent = bent_along(tip.quartic, some.slow)
     beta, eta, length, unit = some.beta, some.eta, some.length, ldexp(1.0, some.scale)
     cosine, sine, double_cosine, double_sine = tip.heading
+    cosine, sine = load.facing * cosine, load.facing * sine
     y, z = bent.cosine * cosine - bent.sine * sine, bent.cosine * sine + bent.sine * cosine
     gamma = 2 * beta * cosine + eta * (1 + double_cosine) / 2
     doubled = bent.double_cosine * double_cosine - bent.double_sine * double_sine
@@ -68,7 +70,7 @@ def short_rods(rods, shots, most):
     )
 
 
-def last_step(load, shots):
+def corrected(load, shots):
     """The offsets and tips, nearer than numbers are to each other.
 
     At the clamp rounding of the tip angle shows up to cosh(ℓ√(β + η)) times. A last step of Newton's is therefore made

@@ -29,7 +29,7 @@ from numpy import (
     zeros,
 )
 
-from derive.emit.kernels.arithmetic import pi
+from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import each_sin
 from derive.emit.kernels.block_arrivals import load_of, miss
 from derive.emit.kernels.block_records import joined, rounded_to, rows
@@ -47,6 +47,7 @@ ROUGH_SHOT = 1.2 * pi  # ℓ√(β + η) from which only to
 WIDER = 16.0  # times as much
 BLUR = 1.5e-11  # the same in double precision, on all
 STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
+BLURRED = 4  # roundings of the clamp angle within which directions are taken for it
 AIMS = 4  # steps towards a zero
 AGAIN = 4  # as often for those that are still far
 AIM_SPREAD = 1e-6  # distance of two shares from which they tell a slope
@@ -82,7 +83,9 @@ def is_shot(rods):
     """Which rods are short, and not nearly straight."""
     lean = rods.clamp_angle - rods.field_angle
     couple = rods.beta * each_sin(rods.clamp_angle) + rods.eta / 2 * each_sin(2 * lean)
-    return (rods.slow < SHOT_SLOW) & (abs(couple) * rods.length * rods.length > STRAIGHT)
+    # No angle within rounding of the clamp's may be a direction without couple.
+    blur = BLURRED * epsilon() * (abs(rods.clamp_angle) + 2) * (rods.beta + rods.eta)
+    return (rods.slow < SHOT_SLOW) & (abs(couple) * rods.length * rods.length > STRAIGHT) & (abs(couple) > blur)
 
 
 def shots_of(rods):
@@ -96,6 +99,8 @@ def shots_of(rods):
     share, slope = approached(miss, some, *ends, AIMS, AIM_SPREAD, AGAIN)
     share, slope, lost = settled_shares(some, share, slope)
     found = Shots(which, share * some.reach, slope / some.reach, spans.after > 0)
+    # A secant may lead to the tip of another span.
+    lost = concatenate([lost, flatnonzero(~((share > ends[0]) & (share < ends[1])))])
     if lost.size:
         unsure = concatenate([unsure, which[lost]])
         found = rows(found, ~isin(which, unsure))

@@ -28,6 +28,7 @@ from numpy import (
 
 from derive.emit.kernels.arithmetic import epsilon, pi
 from derive.emit.kernels.array_arithmetic import each_less_quarters
+from derive.emit.kernels.block_dips import beside_shoulders
 from derive.emit.kernels.block_pieces import Rods, groups
 from derive.emit.kernels.block_records import element, joined, rows, slab
 from derive.emit.kernels.block_search import tips
@@ -195,5 +196,6 @@ def on_arrays(rods, most):
         for some in tip:
             rod, rank, turns = rows((group.rods, group.rank, group.turns), some.range)
             known.append(Tips(rod, rank, turns, some))
+            left.append(beside_shoulders(group, some))
     parts = [no_columns(), *(straight_rods(some, most) for some in straight), *bent_rods(known, most)]
     return joined(parts), concatenate(left)

@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 7e70e47cedc560a069af85a423808a9dfa0de74d422e75085c6128a9b3e1cd30
+Digest of the inputs: sha256 962de67b87fad771a7acae1f77fad81821b5bdc7737ee3612cc653cd33b5749f
 """
 
 from __future__ import annotations
@@ -31,6 +31,17 @@ def rest_moment(eta, stiffness, double_cosine, double_sine, sine, cosine):
             cosine * (stiffness - 2 * eta * double_cosine * sine * sine)
             - 0.5 * eta * double_sine * sine * (3 - 4 * sine * sine)
         )
+    )
+
+
+def stiffness_beside(eta, stiffness, double_cosine, double_sine, sine, cosine):
+    """dθ″/dθ at an offset from a direction without moment, by the sine and cosine of half the offset.
+
+    Proved as swing.stiffness_beside.
+    """
+    return (
+        stiffness * (1 - 2 * sine * sine)
+        - eta * sine * (2 * double_cosine * sine * (3 - 4 * sine * sine) + double_sine * cosine * (3 - 8 * sine * sine))
     )
 
 
@@ -135,6 +146,30 @@ def shot_bend(beta, eta, growth):
     Proved as swing.shot_bend.
     """
     return growth * (beta + 2 * eta) * (3 + growth) / (3 * beta + 3 * eta)
+
+
+def end_excess(rate, stiffness, cosine):
+    """R by one end of the motion: by P (or P′) and dθ″/dθ there, and cos D.
+
+    Proved as swing.end_excess.
+    """
+    return stiffness + 1.5 * rate * cosine
+
+
+def end_twist(eta, rate, stiffness, sine, cosine):
+    """sin(D + 2(M − α)) by the far turning point, or sin(D − 2(M − α)) by the tip.
+
+    Proved as swing.end_twist.
+    """
+    return (-0.5 * rate * cosine - stiffness) / (eta * sine)
+
+
+def end_above(eta, rate, twist_sine, twist_cosine):
+    """a₀ − η by P (or P′), and by the sine and cosine of D ± 2(M − α).
+
+    Proved as swing.end_above.
+    """
+    return rate - eta * twist_sine * twist_sine / (1 + twist_cosine)
 
 
 def phase_sum(root_near, root_far, done_sine, left_sine):

@@ -3,7 +3,7 @@
 Emitted by `derive emit`: do not edit, change the theory. Kernels import these by name; when a scene is emitted, they
 are specialised to it, and a formula that its load case has of its own takes their place.
 
-Digest of the inputs: sha256 5501d0ccf67310a74ac2bf7c48c33fb9d133ac0df340a6cf92ba59ead7dde5c2
+Digest of the inputs: sha256 0b2eaa62a2f5e424c7485c92fedb8a3453e8a0096aa0fdcac077ff24445cfc9b
 """
 
 from __future__ import annotations
@@ -31,6 +31,17 @@ def rest_moment_each(eta, stiffness, double_cosine, double_sine, sine, cosine):
             cosine * (stiffness - 2 * eta * double_cosine * sine * sine)
             - 0.5 * eta * double_sine * sine * (3 - 4 * sine * sine)
         )
+    )
+
+
+def stiffness_beside_each(eta, stiffness, double_cosine, double_sine, sine, cosine):
+    """dθ″/dθ at an offset from a direction without moment, by the sine and cosine of half the offset.
+
+    Proved as swing.stiffness_beside.
+    """
+    return (
+        stiffness * (1 - 2 * sine * sine)
+        - eta * sine * (2 * double_cosine * sine * (3 - 4 * sine * sine) + double_sine * cosine * (3 - 8 * sine * sine))
     )
 
 
@@ -137,6 +148,30 @@ def shot_bend_each(beta, eta, growth):
     Proved as swing.shot_bend.
     """
     return growth * (beta + 2 * eta) * (3 + growth) / (3 * beta + 3 * eta)
+
+
+def end_excess_each(rate, stiffness, cosine):
+    """R by one end of the motion: by P (or P′) and dθ″/dθ there, and cos D.
+
+    Proved as swing.end_excess.
+    """
+    return stiffness + 1.5 * rate * cosine
+
+
+def end_twist_each(eta, rate, stiffness, sine, cosine):
+    """sin(D + 2(M − α)) by the far turning point, or sin(D − 2(M − α)) by the tip.
+
+    Proved as swing.end_twist.
+    """
+    return (-0.5 * rate * cosine - stiffness) / (eta * sine)
+
+
+def end_above_each(eta, rate, twist_sine, twist_cosine):
+    """a₀ − η by P (or P′), and by the sine and cosine of D ± 2(M − α).
+
+    Proved as swing.end_above.
+    """
+    return rate - eta * twist_sine * twist_sine / (1 + twist_cosine)
 
 
 def phase_sum_each(root_near, root_far, done_sine, left_sine):

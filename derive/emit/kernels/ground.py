@@ -5,9 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import any_of, atan2, epsilon, floor, pi, pick, sqrt
-from derive.emit.kernels.landscape import Landscape
 from derive.emit.kernels.levels import fall, reach, ridge_fall, turn_to
-from derive.emit.kernels.rests import offset_from, pick_rest
+from derive.emit.kernels.rests import Landscape, offset_from, pick_rest
 
 
 class Clamp(NamedTuple):
@@ -76,7 +75,7 @@ def ridge_along(beta, eta, drop):
 
 
 class Ground(NamedTuple):
-    """What the ranges of a rod are told by: its landscape, the clamp's offsets from the directions there, and the ridge.
+    """What the ranges of a rod are told by: its landscape, the clamp's offsets from its directions, and the ridge.
 
     drop, level, depth, by_hill: see ``Ridge``; height: V(ridge) − V(clamp), or 0 where no ridge is lower than the hill.
     """

@@ -7,25 +7,17 @@ them is told from them without loss.
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
-from derive.emit.kernels.arithmetic import any_of, atan2, cos, epsilon, larger, less_quarters, pi, pick, sin, sqrt
+from derive.emit.kernels.arithmetic import any_of, cos, epsilon, larger, less_quarters, pi, pick, sin
 from derive.emit.kernels.oblique_rests import astroid_cusp, beside_field, beside_force, couple_beyond, pair_rests
-from derive.emit.kernels.rests import Rest, along, mirror_rest, pick_rest, rest_at, rest_of, rest_turned_back
-
-
-class Landscape(NamedTuple):
-    """The directions of one turn, from the highest hill to the same hill a turn on: hill, well(, ridge, well), hill.
-
-    level: the ridge is as high as the hill. even: V is symmetric about every hill and well. shoulder: where a ridge is
-    nearly there, the direction at which the couple, ``moment``, is nearest to zero; None where that is not asked for.
-    """
-
-    rests: tuple[Rest, ...]
-    level: bool
-    even: bool
-    shoulder: Rest | None = None
-    moment: float = 0.0
+from derive.emit.kernels.rests import Landscape, Rest, mirror_landscape, pick_rest, rest_at, rest_of, rest_turned_back
+from derive.emit.kernels.symmetric_landscapes import (
+    no_field,
+    orthogonal_double,
+    orthogonal_single,
+    parallel_alone,
+    parallel_double,
+    parallel_single,
+)
 
 
 def landscape(beta, eta, field_angle):
@@ -58,63 +50,6 @@ def has_second_pair(beta, eta, field_angle):
     """Whether the field is strong enough for a second hill and well."""
     lean = pick(field_angle > pi / 4, -less_quarters(field_angle, 1), field_angle)
     return couple_beyond(beta, eta, lean, astroid_cusp(lean)) > 4 * epsilon() * (beta + eta)
-
-
-def mirror_landscape(scene):
-    """The landscape seen from the other side of the y axis."""
-    rests = tuple(mirror_rest(rest) for rest in scene.rests[::-1])
-    if scene.shoulder is None:
-        return scene._replace(rests=rests)
-    return scene._replace(rests=rests, shoulder=mirror_rest(scene.shoulder), moment=-scene.moment)
-
-
-def no_field(beta):
-    """The force alone."""
-    return Landscape((along(beta, 0, 1), along(beta, 2, -1), along(beta, 4, 1)), False, True)
-
-
-def parallel_single(beta, eta):
-    """The field along a force that is not weaker: one hill, at 0."""
-    top, again = (Rest(quarters, 0, quarters * (pi / 2), eta + beta, 1, 0) for quarters in (0, 4))
-    return Landscape((top, Rest(2, 0, pi, eta - beta, 1, 0), again), False, True)
-
-
-def parallel_alone(eta):
-    """The field without force: hills along and against it, wells across."""
-    top, side, again = (Rest(quarters, 0, quarters * (pi / 2), eta, 1, 0) for quarters in (0, 2, 4))
-    first, second = (Rest(quarters, 0, quarters * (pi / 2), -eta, -1, 0) for quarters in (1, 3))
-    return Landscape((top, first, side, second, again), True, True)
-
-
-def parallel_double(beta, eta):
-    """The field along a weaker force: hills at 0 and, lower, at π."""
-    top, again = (Rest(quarters, 0, quarters * (pi / 2), eta + beta, 1, 0) for quarters in (0, 4))
-    side = Rest(2, 0, pi, eta - beta, 1, 0)
-    lean = atan2(beta, sqrt((eta - beta) * (eta + beta)))
-    softness = (eta - beta) * (eta + beta) / eta
-    cosine = 2 * (beta / eta) * (beta / eta) - 1
-    sine = -2 * (beta / eta) * sqrt((eta - beta) * (eta + beta)) / eta
-    first = Rest(1, lean, pi / 2 + lean, -softness, cosine, sine)
-    second = Rest(3, -lean, 3 * (pi / 2) - lean, -softness, cosine, -sine)
-    return Landscape((top, first, side, second, again), False, True)
-
-
-def orthogonal_single(beta, eta):
-    """The field across a force that is not weaker: one hill, at 0."""
-    top, again = (Rest(quarters, 0, quarters * (pi / 2), beta - eta, -1, 0) for quarters in (0, 4))
-    return Landscape((top, Rest(2, 0, pi, -beta - eta, -1, 0), again), False, True)
-
-
-def orthogonal_double(beta, eta):
-    """The field across a weaker force: two hills of the same height beside 0."""
-    lean = atan2(sqrt((eta - beta) * (eta + beta)), beta)
-    stiffness = (eta - beta) * (eta + beta) / eta
-    cosine = 1 - 2 * (beta / eta) * (beta / eta)
-    sine = -2 * (beta / eta) * sqrt((eta - beta) * (eta + beta)) / eta
-    low = Rest(0, -lean, -lean, stiffness, cosine, -sine)
-    high, again = Rest(0, lean, lean, stiffness, cosine, sine), low._replace(quarters=4, angle=2 * pi - lean)
-    top, bottom = Rest(0, 0, 0, beta - eta, -1, 0), Rest(2, 0, pi, -beta - eta, -1, 0)
-    return Landscape((low, top, high, bottom, again), True, True)
 
 
 def oblique_alone(eta, field_angle):

@@ -2,23 +2,13 @@
 
 Emitted by `derive emit` from kernels/landscape.py: do not edit, change that file.
 
-Digest of the inputs: sha256 e8378fdbcccf79b91a160677dc42f180bfaafe340e32e569f55dd373f153bfd7
+Digest of the inputs: sha256 421d69a6b76cb5f1040f5bbbf33dd66a33916f0d15f4f8b65db59ff04d828f84
 """
 
 from __future__ import annotations
 
 from derive.emit.kernels.arithmetic import epsilon, pi
-from derive.emit.kernels.array_arithmetic import (
-    each_any_of,
-    each_atan2,
-    each_cos,
-    each_less_quarters,
-    each_pick,
-    each_sin,
-    each_sqrt,
-    larger,
-)
-from derive.emit.kernels.landscape import Landscape
+from derive.emit.kernels.array_arithmetic import each_any_of, each_cos, each_less_quarters, each_pick, each_sin, larger
 from derive.emit.kernels.oblique_rests_each import (
     astroid_cusp_each,
     beside_field_each,
@@ -26,14 +16,21 @@ from derive.emit.kernels.oblique_rests_each import (
     couple_beyond_each,
     pair_rests_each,
 )
-from derive.emit.kernels.rests import Rest
+from derive.emit.kernels.rests import Landscape, Rest
 from derive.emit.kernels.rests_each import (
-    along_each,
-    mirror_rest_each,
+    mirror_landscape_each,
     pick_rest_each,
     rest_at_each,
     rest_of_each,
     rest_turned_back_each,
+)
+from derive.emit.kernels.symmetric_landscapes_each import (
+    no_field_each,
+    orthogonal_double_each,
+    orthogonal_single_each,
+    parallel_alone_each,
+    parallel_double_each,
+    parallel_single_each,
 )
 
 
@@ -67,63 +64,6 @@ def has_second_pair_each(beta, eta, field_angle):
     """Whether the field is strong enough for a second hill and well."""
     lean = each_pick(field_angle > pi / 4, -each_less_quarters(field_angle, 1), field_angle)
     return couple_beyond_each(beta, eta, lean, astroid_cusp_each(lean)) > 4 * epsilon() * (beta + eta)
-
-
-def mirror_landscape_each(scene):
-    """The landscape seen from the other side of the y axis."""
-    rests = tuple(mirror_rest_each(rest) for rest in scene.rests[::-1])
-    if scene.shoulder is None:
-        return scene._replace(rests=rests)
-    return scene._replace(rests=rests, shoulder=mirror_rest_each(scene.shoulder), moment=-scene.moment)
-
-
-def no_field_each(beta):
-    """The force alone."""
-    return Landscape((along_each(beta, 0, 1), along_each(beta, 2, -1), along_each(beta, 4, 1)), False, True)
-
-
-def parallel_single_each(beta, eta):
-    """The field along a force that is not weaker: one hill, at 0."""
-    top, again = (Rest(quarters, 0, quarters * (pi / 2), eta + beta, 1, 0) for quarters in (0, 4))
-    return Landscape((top, Rest(2, 0, pi, eta - beta, 1, 0), again), False, True)
-
-
-def parallel_alone_each(eta):
-    """The field without force: hills along and against it, wells across."""
-    top, side, again = (Rest(quarters, 0, quarters * (pi / 2), eta, 1, 0) for quarters in (0, 2, 4))
-    first, second = (Rest(quarters, 0, quarters * (pi / 2), -eta, -1, 0) for quarters in (1, 3))
-    return Landscape((top, first, side, second, again), True, True)
-
-
-def parallel_double_each(beta, eta):
-    """The field along a weaker force: hills at 0 and, lower, at π."""
-    top, again = (Rest(quarters, 0, quarters * (pi / 2), eta + beta, 1, 0) for quarters in (0, 4))
-    side = Rest(2, 0, pi, eta - beta, 1, 0)
-    lean = each_atan2(beta, each_sqrt((eta - beta) * (eta + beta)))
-    softness = (eta - beta) * (eta + beta) / eta
-    cosine = 2 * (beta / eta) * (beta / eta) - 1
-    sine = -2 * (beta / eta) * each_sqrt((eta - beta) * (eta + beta)) / eta
-    first = Rest(1, lean, pi / 2 + lean, -softness, cosine, sine)
-    second = Rest(3, -lean, 3 * (pi / 2) - lean, -softness, cosine, -sine)
-    return Landscape((top, first, side, second, again), False, True)
-
-
-def orthogonal_single_each(beta, eta):
-    """The field across a force that is not weaker: one hill, at 0."""
-    top, again = (Rest(quarters, 0, quarters * (pi / 2), beta - eta, -1, 0) for quarters in (0, 4))
-    return Landscape((top, Rest(2, 0, pi, -beta - eta, -1, 0), again), False, True)
-
-
-def orthogonal_double_each(beta, eta):
-    """The field across a weaker force: two hills of the same height beside 0."""
-    lean = each_atan2(each_sqrt((eta - beta) * (eta + beta)), beta)
-    stiffness = (eta - beta) * (eta + beta) / eta
-    cosine = 1 - 2 * (beta / eta) * (beta / eta)
-    sine = -2 * (beta / eta) * each_sqrt((eta - beta) * (eta + beta)) / eta
-    low = Rest(0, -lean, -lean, stiffness, cosine, -sine)
-    high, again = Rest(0, lean, lean, stiffness, cosine, sine), low._replace(quarters=4, angle=2 * pi - lean)
-    top, bottom = Rest(0, 0, 0, beta - eta, -1, 0), Rest(2, 0, pi, -beta - eta, -1, 0)
-    return Landscape((low, top, high, bottom, again), True, True)
 
 
 def oblique_alone_each(eta, field_angle):

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import any_of, cos, exp, larger, pi, pick, sin, sqrt
+from derive.emit.kernels.basins import Piece
 from derive.emit.kernels.levels import turn_to
-from derive.emit.kernels.pieces import Piece
 from derive.emit.kernels.potential import fall_from_rest, moment_from_rest
 from derive.emit.kernels.rates import rates
 from derive.emit.kernels.shoulders import beside_shoulder
@@ -56,7 +56,7 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     done, apart = piece.clamp_gap + drop, pick(upper, piece.past_hill - from_hill, piece.past_well + depth)
     done = pick(done < 0.5 * pick(upper, from_hill, abs(piece.past_well)), done, apart)
     depth = pick(upper, turn_to(hill, well) - from_hill, depth)
-    there = None
+    beside = None
     if basin.even:
         half_width = pick(upper, turn_to(hill, basin.axis) - from_hill, depth + turn_to(well, basin.axis))
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
@@ -66,9 +66,9 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
         half_width = (done + left) / 2 if piece.high_kind == "turn" else half_width
     else:
         side = far_side(eta, field_angle, piece, rise, drop, depth, done, height)
-        half_width, left, far_moment, far_distance, there = side
+        half_width, left, far_moment, far_distance, beside = side
         if basin.shoulder is not None:
-            near_moment = beside_shoulder(eta, basin, from_hill, offset, near_moment)
+            near_moment, beside = beside_shoulder(eta, basin, from_hill, offset, near_moment, beside)
         near_moment = larger(near_moment, least_moment(basin) * abs(offset))
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
     lack = (from_hill + far_distance) / 2 if basin.whole else pi - half_width
@@ -78,9 +78,9 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     done_sine = sin(pick(done > pi, lack + left / 2, done / 2))
     left_sine = sin(pick(left > pi, lack + done / 2, left / 2))
     half_cosine = sin(lack / 2)
-    centre = half_width - depth - turn_to(well, basin.axis)
+    centre = halfway(hill, basin.far, basin.axis) + (from_hill - far_distance) / 2
     uneven = 0 if basin.even else unevenness(eta, basin.axis, centre, sine, near, far)
-    end, middle = rates(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, there)
+    end, middle = rates(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, beside)
     return Motion(
         tip,
         half_width,
@@ -98,6 +98,12 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
         done_sine,
         left_sine,
     )
+
+
+def halfway(hill, far, axis):
+    """The angle from an axis to the middle of two hills, in which whole turns between them are no rounding."""
+    quarters = hill.quarters + far.quarters - 2 * axis.quarters
+    return quarters * (pi / 4) + ((hill.extra - axis.extra) + (far.extra - axis.extra)) / 2
 
 
 def unevenness(eta, axis, centre, sine, near, far):

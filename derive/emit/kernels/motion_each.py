@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/motion.py: do not edit, change that file.
 
-Digest of the inputs: sha256 d8e81f390a8f7373845c8310561cf886b7f1bc9f7c41a4fa683e6b3bef1d72c8
+Digest of the inputs: sha256 57ebc4b01e601a3df173bcc1a44486ca2772fc5cb2563c8b66ed3d2fc892a237
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ from derive.emit.kernels.array_arithmetic import (
     each_sqrt,
     larger,
 )
+from derive.emit.kernels.basins import Piece
 from derive.emit.kernels.levels_each import turn_to_each
 from derive.emit.kernels.motion import Motion
-from derive.emit.kernels.pieces import Piece
 from derive.emit.kernels.potential_each import fall_from_rest_each, moment_from_rest_each
 from derive.emit.kernels.rates_each import rates_each
 from derive.emit.kernels.shoulders import beside_shoulder
@@ -47,7 +47,7 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
     done, apart = piece.clamp_gap + drop, each_pick(upper, piece.past_hill - from_hill, piece.past_well + depth)
     done = each_pick(done < 0.5 * each_pick(upper, from_hill, each_abs(piece.past_well)), done, apart)
     depth = each_pick(upper, turn_to_each(hill, well) - from_hill, depth)
-    there = None
+    beside = None
     if basin.even:
         half_width = each_pick(
             upper, turn_to_each(hill, basin.axis) - from_hill, depth + turn_to_each(well, basin.axis)
@@ -59,9 +59,9 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
         half_width = (done + left) / 2 if piece.high_kind == "turn" else half_width
     else:
         side = far_side_each(eta, field_angle, piece, rise, drop, depth, done, height)
-        half_width, left, far_moment, far_distance, there = side
+        half_width, left, far_moment, far_distance, beside = side
         if basin.shoulder is not None:
-            near_moment = beside_shoulder(eta, basin, from_hill, offset, near_moment)
+            near_moment, beside = beside_shoulder(eta, basin, from_hill, offset, near_moment, beside)
         near_moment = larger(near_moment, least_moment_each(basin) * each_abs(offset))
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
     lack = (from_hill + far_distance) / 2 if basin.whole else pi - half_width
@@ -71,9 +71,9 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
     done_sine = each_sin(each_pick(done > pi, lack + left / 2, done / 2))
     left_sine = each_sin(each_pick(left > pi, lack + done / 2, left / 2))
     half_cosine = each_sin(lack / 2)
-    centre = half_width - depth - turn_to_each(well, basin.axis)
+    centre = halfway_each(hill, basin.far, basin.axis) + (from_hill - far_distance) / 2
     uneven = 0 if basin.even else unevenness_each(eta, basin.axis, centre, sine, near, far)
-    end, middle = rates_each(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, there)
+    end, middle = rates_each(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, beside)
     return Motion(
         tip,
         half_width,
@@ -91,6 +91,12 @@ def motion_at_each(beta, eta, field_angle, piece: Piece, place):
         done_sine,
         left_sine,
     )
+
+
+def halfway_each(hill, far, axis):
+    """The angle from an axis to the middle of two hills, in which whole turns between them are no rounding."""
+    quarters = hill.quarters + far.quarters - 2 * axis.quarters
+    return quarters * (pi / 4) + ((hill.extra - axis.extra) + (far.extra - axis.extra)) / 2
 
 
 def unevenness_each(eta, axis, centre, sine, near, far):

@@ -3,35 +3,40 @@
 from __future__ import annotations
 
 from derive.emit.kernels.arithmetic import any_of, atan2, cos, epsilon, floor, larger, pi, pick, sin, spacing, sqrt
+from derive.emit.kernels.formulas import end_above, end_excess, end_twist
 from derive.emit.kernels.levels import fall
 
 
-def rates(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, there):
-    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle; there: the
-    far turning point, if it is beside a shoulder."""
+def rates(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, beside):
+    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle; beside:
+    the end that is beside a shoulder, if one is."""
     middle, cosine = basin.axis.angle + centre, cos(half_width)
     cos_middle, cos_double = cos(middle), cos(2 * (middle - field_angle))
     product = sqrt(near) * sqrt(far)
     excess = -(2 * beta * cos_middle * cosine + eta * cos_double * (1 + cosine * cosine))
-    if there is not None:
-        # The same: V at the ends of the motion is equal.
-        bent = eta * (1 + 2 * cosine * cosine) * sin(2 * there.lean) * sine
-        excess = far * sine * sine * cosine - 2 * there.stiffness * cosine * cosine - bent
+    if beside is not None and any_of(field_angle != 0) and any_of(field_angle != pi / 2):
+        # The same, for V at both ends is equal.
+        excess = end_excess(far if beside.is_far else near, beside.stiffness, cosine)
     split, rate = excess < 0, sqrt(product + larger(excess, 0))
     if any_of(split):
         mean = -(2 * beta * cos_middle + eta * cosine * cos_double)
-        apart = mean_less_field(eta, basin, centre, half_width, near, far, height, there, mean)
+        apart = mean_less_field(eta, field_angle, basin, centre, half_width, near, far, height, beside, mean)
         rate = pick(split, sine * sqrt(apart * (mean + eta) / pick(split, product - excess, 1)), rate)
     return sqrt(product / 2), rate / 2
 
 
-def mean_less_field(eta, basin, centre, half_width, near, far, height, there, mean):
+def mean_less_field(eta, field_angle, basin, centre, half_width, near, far, height, beside, mean):
     """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
     level."""
     apart = mean - eta
-    close = apart <= 0.1 * eta
-    if there is not None:
-        return larger(pick(close, far - 2 * eta * sin(there.lean) * sin(there.lean), apart), epsilon() * far / 4)
+    close = apart <= 0.3 * eta
+    if beside is not None and any_of(field_angle != 0) and any_of(field_angle != pi / 2):
+        rate = far if beside.is_far else near
+        twist = end_twist(eta, rate, beside.stiffness, sin(half_width), cos(half_width))
+        # The cosine is positive, for a₀ − η is, and that is P′ less η(1 − cosine).
+        if rate < eta and abs(twist) < 0.7:
+            above = end_above(eta, rate, twist, sqrt((1 - twist) * (1 + twist)))
+            return larger(pick(close, above, apart), epsilon() * rate / 4)
     if any_of(close):
         # 2(axis − α), and 2(middle − α).
         axis = atan2(basin.axis.double_sine, basin.axis.double_cosine)

@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/rates.py: do not edit, change that file.
 
-Digest of the inputs: sha256 8a9bdc4d62ad0a4d21b88ba2c64dccaddb7c309abdcfd5306d584e027567b965
+Digest of the inputs: sha256 b49f861d8ab87339a4455c73ba30b495562f4c63951af2e6f829d8ac1d4fd59d
 """
 
 from __future__ import annotations
@@ -20,37 +20,40 @@ from derive.emit.kernels.array_arithmetic import (
     each_sqrt,
     larger,
 )
+from derive.emit.kernels.formulas_each import end_above_each, end_excess_each, end_twist_each
 from derive.emit.kernels.levels_each import fall_each
 
 
-def rates_each(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, there):
-    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle; there: the
-    far turning point, if it is beside a shoulder."""
+def rates_each(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, beside):
+    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle; beside:
+    the end that is beside a shoulder, if one is."""
     middle, cosine = basin.axis.angle + centre, each_cos(half_width)
     cos_middle, cos_double = each_cos(middle), each_cos(2 * (middle - field_angle))
     product = each_sqrt(near) * each_sqrt(far)
     excess = -(2 * beta * cos_middle * cosine + eta * cos_double * (1 + cosine * cosine))
-    if there is not None:
-        # The same: V at the ends of the motion is equal.
-        bent = eta * (1 + 2 * cosine * cosine) * each_sin(2 * there.lean) * sine
-        excess = far * sine * sine * cosine - 2 * there.stiffness * cosine * cosine - bent
+    if beside is not None and each_any_of(field_angle != 0) and each_any_of(field_angle != pi / 2):
+        # The same, for V at both ends is equal.
+        excess = end_excess_each(far if beside.is_far else near, beside.stiffness, cosine)
     split, rate = excess < 0, each_sqrt(product + larger(excess, 0))
     if each_any_of(split):
         mean = -(2 * beta * cos_middle + eta * cosine * cos_double)
-        apart = mean_less_field_each(eta, basin, centre, half_width, near, far, height, there, mean)
+        apart = mean_less_field_each(eta, field_angle, basin, centre, half_width, near, far, height, beside, mean)
         rate = each_pick(split, sine * each_sqrt(apart * (mean + eta) / each_pick(split, product - excess, 1)), rate)
     return each_sqrt(product / 2), rate / 2
 
 
-def mean_less_field_each(eta, basin, centre, half_width, near, far, height, there, mean):
+def mean_less_field_each(eta, field_angle, basin, centre, half_width, near, far, height, beside, mean):
     """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
     level."""
     apart = mean - eta
-    close = apart <= 0.1 * eta
-    if there is not None:
-        return larger(
-            each_pick(close, far - 2 * eta * each_sin(there.lean) * each_sin(there.lean), apart), epsilon() * far / 4
-        )
+    close = apart <= 0.3 * eta
+    if beside is not None and each_any_of(field_angle != 0) and each_any_of(field_angle != pi / 2):
+        rate = far if beside.is_far else near
+        twist = end_twist_each(eta, rate, beside.stiffness, each_sin(half_width), each_cos(half_width))
+        # The cosine is positive, for a₀ − η is, and that is P′ less η(1 − cosine).
+        if rate < eta and each_abs(twist) < 0.7:
+            above = end_above_each(eta, rate, twist, each_sqrt((1 - twist) * (1 + twist)))
+            return larger(each_pick(close, above, apart), epsilon() * rate / 4)
     if each_any_of(close):
         # 2(axis − α), and 2(middle − α).
         axis = each_atan2(basin.axis.double_sine, basin.axis.double_cosine)

@@ -21,6 +21,20 @@ class Rest(NamedTuple):
     double_sine: float
 
 
+class Landscape(NamedTuple):
+    """The directions of one turn, from the highest hill to the same hill a turn on: hill, well(, ridge, well), hill.
+
+    level: the ridge is as high as the hill. even: V is symmetric about every hill and well. shoulder: where a ridge is
+    nearly there, the direction at which the couple, ``moment``, is nearest to zero; None where that is not asked for.
+    """
+
+    rests: tuple[Rest, ...]
+    level: bool
+    even: bool
+    shoulder: Rest | None = None
+    moment: float = 0.0
+
+
 def along(beta, quarters, sign):
     """A direction along or against the force, no field: what it is about the field is not asked."""
     return Rest(quarters, 0, quarters * (pi / 2), sign * beta, 1, 0)
@@ -31,6 +45,14 @@ def mirror_rest(rest):
     return rest._replace(
         quarters=4 - rest.quarters, extra=-rest.extra, angle=2 * pi - rest.angle, double_sine=-rest.double_sine
     )
+
+
+def mirror_landscape(scene):
+    """The landscape seen from the other side of the y axis."""
+    rests = tuple(mirror_rest(rest) for rest in scene.rests[::-1])
+    if scene.shoulder is None:
+        return scene._replace(rests=rests)
+    return scene._replace(rests=rests, shoulder=mirror_rest(scene.shoulder), moment=-scene.moment)
 
 
 def rest_turned_back(rest):

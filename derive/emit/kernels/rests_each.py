@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/rests.py: do not edit, change that file.
 
-Digest of the inputs: sha256 d78d5bb65357ca616643d6f5807a1682707c79e16aa2a064342b84fe25d020b9
+Digest of the inputs: sha256 331effb07d2d6cfd61b048fd495e67aacac739b6d6e124b985ebdefd3e2deb66
 """
 
 from __future__ import annotations
@@ -31,6 +31,14 @@ def mirror_rest_each(rest):
     return rest._replace(
         quarters=4 - rest.quarters, extra=-rest.extra, angle=2 * pi - rest.angle, double_sine=-rest.double_sine
     )
+
+
+def mirror_landscape_each(scene):
+    """The landscape seen from the other side of the y axis."""
+    rests = tuple(mirror_rest_each(rest) for rest in scene.rests[::-1])
+    if scene.shoulder is None:
+        return scene._replace(rests=rests)
+    return scene._replace(rests=rests, shoulder=mirror_rest_each(scene.shoulder), moment=-scene.moment)
 
 
 def rest_turned_back_each(rest):

@@ -141,9 +141,9 @@ def regular_part(rod, swing, station, here, left, position):
     else:
         square, rest = phase_at(a, b, here, left)
     point, half, speed = point_at(motion, square, rest)
-    # The clamp angle is exact: what is measured from there is told from there.
+    # The clamp angle is exact: what is measured from there is told from there; what turned back, if that is near.
     anchor, turned = rod.clamp_angle, 2 * half - motion.done
-    if station.away == 0:
+    if station.away == 0 and motion.done > abs(motion.tip):
         anchor, turned = apart_by_quarters(motion.tip + 2 * half, 4 * swing.turns)
     if back or left < here:
         # So near the far turning point that cos²ψ underflows the lengths tell more.

@@ -8,18 +8,15 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import atan2, ceil, cos, epsilon, floor, larger, log, pi, sin, sqrt
+from derive.emit.kernels.arithmetic import ceil, cos, epsilon, larger, log, sin, sqrt
 from derive.emit.kernels.levels import fall, further, onward, reach, slope, tip_fall, turn_to
+from derive.emit.kernels.potential import stiffness_from_rest
 
 
-class Turn(NamedTuple):
-    """A far turning point beside a shoulder: what a motion is told by where V is all but level there.
+class End(NamedTuple):
+    """An end of a motion beside a shoulder: the far turning point or the tip, and dθ″/dθ there."""
 
-    lean: from the field to the turning point, less a half of half the width, but for half turns; it is zero where three
-    of the four directions at which V is that of the tip are one. stiffness: dθ″/dθ there.
-    """
-
-    lean: float
+    is_far: bool
     stiffness: float
 
 
@@ -63,7 +60,6 @@ def with_shoulder_level(eta, piece):
     if width <= 0:
         return [piece]
     depth, gap = piece.high_depth + width, piece.clamp_gap + width
-    piece = piece._replace(basin=basin._replace(lean=level_lean(eta, basin, level)))
     first = piece._replace(high_kind="shoulder", width=level, high_depth=depth, clamp_gap=gap)
     return [first, piece._replace(low_kind="shoulder", low_offset=level, width=width)]
 
@@ -104,45 +100,24 @@ def shoulder_side(eta, piece, rise, drop, done, left, by_hill, distance):
         moment = slope(eta, basin.far, -distance) if by_hill else slope(eta, basin.far_well, well_offset)
         moment = min(moment, -4 * epsilon() * beside)
     far_distance = distance if by_hill and not near else piece.far_gap - left
-    divided = near and "shoulder" in (piece.low_kind, piece.high_kind)
-    there = turn_beside(eta, piece, rise, drop, turn) if divided else None
-    return (done + left) / 2, left, -moment, far_distance, there
+    end = End(True, shoulder_stiffness(eta, basin, turn)) if near else None
+    return (done + left) / 2, left, -moment, far_distance, end
 
 
-def turn_beside(eta, piece, rise, drop, turn):
-    """A turning point at this angle from the shoulder."""
-    basin = piece.basin
+def shoulder_stiffness(eta, basin, offset):
+    """dθ″/dθ at an offset from the shoulder."""
     rest = basin.shoulder
-    lean = basin.lean + (3 * turn + (rise if piece.low_kind == "shoulder" else -drop)) / 4
-    sine, cosine = sin(turn), cos(turn)
-    bent = 2 * rest.double_cosine * sin(1.5 * turn) * sin(turn / 2) + rest.double_sine * sine * (2 * cosine - 0.5)
-    return Turn(lean, rest.stiffness * cosine - basin.moment * sine - eta * bent)
+    stiffness = stiffness_from_rest(eta, rest.stiffness, rest.double_cosine, rest.double_sine, offset)
+    return stiffness - basin.moment * sin(offset)
 
 
-def level_lean(eta, basin, level):
-    """The lean of a motion that turns at the shoulder, from a tip at this offset from the hill.
-
-    From the angles, and by Newton's method from the balance of V at both ends, in which the moment at the shoulder and
-    the stiffness there are factors.
-    """
-    rest, moment = basin.shoulder, basin.moment
-    cosine, sine = rest.double_cosine, rest.double_sine
-    lean = atan2(sine, cosine) / 2 - (turn_to(basin.hill, rest) - level) / 4
-    lean = rough = lean - pi * floor(lean / pi + 0.5)
-    lost, firm = moment * cosine - rest.stiffness * sine, rest.stiffness * cosine + moment * sine - eta * sine * sine
-    for _ in range(3):
-        small, large = sin(2 * lean), cos(2 * lean)
-        share = firm + eta * small * (2 * sine * cosine * large - (1 - 2 * sine * sine) * small)
-        bend = 2 * sine * cosine * (large * large - small * small) - 2 * (1 - 2 * sine * sine) * small * large
-        steep = large * share - small * lost + eta * small * bend
-        lean = lean - (lost * large + small * share) / (2 * steep) if steep != 0 else rough
-    return lean if abs(lean - rough) < 64 * epsilon() else rough
-
-
-def beside_shoulder(eta, basin, from_hill, offset, moment):
-    """θ″ at the tip, by the shoulder if that is nearer than the hill or well by whose offset it was told."""
+def beside_shoulder(eta, basin, from_hill, offset, moment, end):
+    """θ″ at the tip, and the end of the motion that is beside the shoulder, if the shoulder is nearer to the tip than
+    the hill or well by whose offset it was told; else as they are given."""
     apart = from_hill - turn_to(basin.hill, basin.shoulder)
-    return shoulder_moment(eta, basin, apart) if 2 * abs(apart) < abs(offset) else moment
+    if 2 * abs(apart) >= abs(offset):
+        return moment, end
+    return shoulder_moment(eta, basin, apart), End(False, shoulder_stiffness(eta, basin, apart))
 
 
 def past_clamp(eta, piece, amount, rough):

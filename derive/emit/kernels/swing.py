@@ -44,7 +44,8 @@ def phase_of(motion):
     gap = sin((motion.left - motion.done) / 4)
     behind, ahead = far * done / whole, near * left / whole
     lead = phase_lead(near, motion.half_cosine, motion.uneven, done, gap) / whole
-    cosine = pick(abs(ahead - behind) > 0.8, ahead - behind, lead)
+    # Of two sums for the same that which has the smaller terms rounds less.
+    cosine = pick(near * abs(left - done) + abs(motion.uneven) * done < whole, lead, ahead - behind)
     # Not zero: at the tip itself the motion has no point by ℘.
     square = larger(chi_square(behind, ahead), epsilon() ** 19)
     size, first = abs(cosine), cosine >= 0

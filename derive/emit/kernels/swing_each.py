@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/swing.py: do not edit, change that file.
 
-Digest of the inputs: sha256 dea16abd367b1a158d1af4ffacbf8799a509260795c4ac4b9ba39cacf40c1717
+Digest of the inputs: sha256 6ed6a9e83c498b495bc8e4a80750c024dad265be788adac7dc7921db468c6349
 """
 
 from __future__ import annotations
@@ -46,7 +46,8 @@ def phase_of_each(motion):
     gap = each_sin((motion.left - motion.done) / 4)
     behind, ahead = far * done / whole, near * left / whole
     lead = phase_lead_each(near, motion.half_cosine, motion.uneven, done, gap) / whole
-    cosine = each_pick(each_abs(ahead - behind) > 0.8, ahead - behind, lead)
+    # Of two sums for the same that which has the smaller terms rounds less.
+    cosine = each_pick(near * each_abs(left - done) + each_abs(motion.uneven) * done < whole, lead, ahead - behind)
     # Not zero: at the tip itself the motion has no point by ℘.
     square = larger(chi_square_each(behind, ahead), epsilon() ** 19)
     size, first = each_abs(cosine), cosine >= 0
