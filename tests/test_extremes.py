@@ -288,7 +288,7 @@ ROD = ["--beta", "1", "--eta", "1", "--length", "1", "--clamp-angle", "2"]
         ("solve", "parallel", {"--eta": None, "--length": "1e200", "--target": "y=1"}, "--range is needed"),
         ("solve", "parallel", {"--eta": None, "--target": "y=1", "--range": "0:1e300"}, "beta = 1, eta = 1e+300"),
         ("sweep", "parallel", {"--eta": "0:1e300:10"}, "beta = 1, eta = 1e+300, length = 1: "),
-        ("sweep", "parallel", {"--beta": "0:1:9", "--length": "1e100"}, "beta = 1, eta = 1, length = 1e+100: "),
+        ("sweep", "parallel", {"--beta": "0:1:9", "--length": "1e100"}, "beta = 0, eta = 1, length = 1e+100: "),
         ("sweep", "parallel", {"--clamp-angle": "-1e300:0:9"}, "--clamp-angle must lie within"),
     ],
 )
