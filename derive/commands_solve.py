@@ -13,6 +13,7 @@ from derive import commands, show
 from derive.diagrams import aim, picture
 from derive.diagrams.plotting import format_of, library
 from derive.diagrams.problem import SMALL, Problem
+from derive.diagrams.refused import must_be_solvable, must_be_traceable
 from derive.diagrams.rod_file import read_rod
 from derive.diagrams.tables import table
 from derive.numbers import MistakeError, given_numbers, number, parameters, spelled_option
@@ -77,6 +78,7 @@ def folded(scene: str) -> dict[str, float]:
 
 def listed(problem: Problem, options: argparse.Namespace) -> int:
     """Show and write all equilibria."""
+    must_be_solvable(problem.full, options.max_index)
     try:
         found = problem.equilibria(options.max_index)
     except ValueError as error:
@@ -104,6 +106,7 @@ def aimed(problem: Problem, options: argparse.Namespace) -> int:
     name = aim.VARIED[options.vary]
     coordinate, value = aim.goal(problem, options.target, number)
     low, high = aim.limits(problem, name, options.range, number)
+    must_be_traceable({**problem.full, name: high})
     try:
         reach = aim.reached(problem, name, coordinate, value, low, high)
     except ValueError as error:
