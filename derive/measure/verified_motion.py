@@ -1,0 +1,242 @@
+"""The motions through a clamp angle: turning points, half-swing and arrival, enclosed with their derivatives.
+
+Seen along the rod, θ moves in a potential V = c₁ cos θ + s₁ sin θ + c₂ cos 2θ + s₂ sin 2θ, angles measured from the clamp,
+at the energy E = ½θ′² + V, between two turning points. With u and w the sines of half the distances from the lower and
+to the upper one, and D half the width of the swing, θ′² = 4uw(Aw² + Buw + Cu²)/sin²D: then s = w/u has
+ds/√(s(C + Bs + As²)) = dσ. A and C are |V′| over sin D at the two, and B = −2v₁ cos D − 4v₂(1 + cos²D), v₁ and v₂ the two
+harmonics of V in the middle. Half a swing is π over the mean of √√(AC) and ½√(B + 2√(AC)); the way from θ′ = κ at the
+clamp to the upper turning point takes κ sin D/(u²C√(YZ)) R_F(1, Y, Z), Y + Z = 2 + Bs/C and YZ = 1 + Bs/C + As²/C.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+from flint import arb, arb_series, ctx
+
+from derive.measure.verified_means import Series, UndecidedError, carlson, first_order, gauss_mean, positive
+
+ORDER = 3  # Taylor coefficients of what the times are made of
+ROUNDS = 200  # of Newton's method with halvings
+
+
+@dataclass(frozen=True)
+class Potential:
+    """V, by the coefficients of its two harmonics."""
+
+    cosine: arb
+    sine: arb
+    double_cosine: arb
+    double_sine: arb
+
+    def harmonics(self, angle: Any) -> tuple[Any, Any]:
+        """The two parts of V."""
+        double = 2 * angle
+        return (
+            self.cosine * angle.cos() + self.sine * angle.sin(),
+            self.double_cosine * double.cos() + self.double_sine * double.sin(),
+        )
+
+    def value(self, angle: Any) -> Any:
+        """V."""
+        one, two = self.harmonics(angle)
+        return one + two
+
+    def slope(self, angle: Any) -> Any:
+        """V′."""
+        one, two = self.turned.harmonics(angle)
+        return one + 2 * two
+
+    def curve(self, angle: Any) -> Any:
+        """V″."""
+        one, two = self.harmonics(angle)
+        return -one - 4 * two
+
+    @property
+    def turned(self) -> Potential:
+        """The harmonics of V′, the second one halved."""
+        return Potential(self.sine, -self.cosine, self.double_sine, -self.double_cosine)
+
+    @property
+    def mirrored(self) -> Potential:
+        """V with angles counted the other way."""
+        return Potential(self.cosine, -self.sine, self.double_cosine, -self.double_sine)
+
+
+@dataclass(frozen=True)
+class Path:
+    """A family of motions by a place y. at(low, high): E and κ with two derivatives, for all places between.
+
+    turns: whether E is least or greatest at y = 0. up: the arrival asked for is that at the upper turning point.
+    """
+
+    at: Callable[[float, float], tuple[Series, Series]]
+    turns: bool
+    up: bool
+
+
+@dataclass
+class Well:
+    """Where motions swing: the hills on either side, the last wells before them, and V."""
+
+    potential: Potential
+    hills: tuple[arb, arb]
+    wells: tuple[arb, arb]
+    seen: dict[tuple[Any, ...], arb] = field(default_factory=dict)
+
+    def turning(self, path: Path, place: float, side: int) -> arb:
+        """The turning point below (side 0) or above (1) of the motion at a place."""
+        key = (path, place, side)
+        if key not in self.seen:
+            self.seen[key] = self.found(path.at(place, place)[0][0], side)
+        return self.seen[key]
+
+    def found(self, energy: arb, side: int) -> arb:
+        """The turning point of an energy: Newton's method for the root of the fall from the hill, and a check."""
+        sign, hill = (-1, 1)[side], self.hills[side]
+        inner = self.wells[side] if sign * self.wells[side] > 0 else arb(0)
+        top, low, high = self.potential.value(hill), arb(0), abs(hill - inner).mid()
+        goal, whole = (top - energy).mid(), (top - self.potential.value(inner)).mid()
+        if not goal > 0:
+            raise UndecidedError("an energy is as high as the hill")
+        offset = high if goal >= whole else (high * (goal / whole).sqrt()).mid()
+        fine = arb(2) ** (-(ctx.prec * 6 // 10))
+        for _ in range(ROUNDS):
+            angle = hill - sign * offset
+            fall, slope = (top - self.potential.value(angle)).mid(), (sign * self.potential.slope(angle)).mid()
+            low, high = (offset, high) if fall < goal else (low, offset)
+            before, offset = offset, ((low + high) / 2).mid()
+            if fall > 0 and slope > 0:
+                newton = (before - 2 * (fall - (fall * goal).sqrt()) / slope).mid()
+                offset = newton if low <= newton <= high else offset
+            if abs(offset - before) <= fine * offset:
+                break
+        return self.checked(energy, side, offset)
+
+    def checked(self, energy: arb, side: int, offset: arb) -> arb:
+        """The ball about an offset from the hill at whose ends V is on either side of the energy."""
+        slack = offset * arb(2) ** (-(ctx.prec // 2))
+        for _ in range(8):
+            ends = [self.hills[side] - (-1, 1)[side] * (offset + part) for part in (-slack, slack)]
+            if self.potential.value(ends[0]) > energy and self.potential.value(ends[1]) < energy:
+                return ends[0].union(ends[1])
+            slack = 64 * slack
+        raise UndecidedError("a turning point is not told")
+
+
+def times(well: Well, path: Path, low: float, high: float) -> tuple[Series, Series]:
+    """Arrival and half-swing for all places between two, with their derivatives."""
+    middle = (low + high) / 2
+    aside = arb(low).union(arb(high)) - middle
+    here, there = path.at(low, high), path.at(middle, middle)
+    balls, points = [], []
+    for side in (0, 1):
+        places = (low, high, middle, 0.0) if path.turns and low < 0 < high else (low, high, middle)
+        ball, *others = (well.turning(path, place, side) for place in places)
+        points.append(others[1])
+        for other in others:
+            ball = ball.union(other)
+        balls.append(ball)
+    centres = [point.mid() for point in points]
+    wide, thin = ends(well, here[0], balls, centres), ends(well, there[0], points, centres)
+    wide, speed = sharper(wide, thin, aside), sharper([here[1]], [there[1]], aside)[0]
+    for step in (lambda parts, _: forms(well.potential, parts), lambda parts, _: ratios(parts, path.up), quotients):
+        thin = step(thin, there[1])
+        wide = sharper(step(wide, speed), thin, aside)
+    arrival, swing = both(wide, speed)
+    if low == high:
+        return arrival, swing
+    return tuple(
+        first_order((point[0] + ball[1] * aside).intersection(ball[0]), ball[1])
+        for ball, point in zip((arrival, swing), both(thin, there[1]), strict=True)
+    )
+
+
+def sharper(wide: list[Series], thin: list[Series], aside: arb) -> list[Series]:
+    """Values and derivatives over a ball by those in its middle and the derivatives over it."""
+    found = []
+    for ball, point in zip(wide, thin, strict=True):
+        slope = (point[1] + 2 * ball[2] * aside).intersection(ball[1])
+        found.append(arb_series([(point[0] + slope * aside).intersection(ball[0]), slope, ball[2]], ORDER))
+    return found
+
+
+def ends(well: Well, energy: Series, balls: list[arb], centres: list[arb]) -> list[Series]:
+    """The turning points, and |V′| there."""
+    places, slopes, potential = [], [], well.potential
+    for sign, ball, centre in zip((-1, 1), balls, centres, strict=True):
+        curve = potential.curve(ball)
+        slope = potential.slope(centre) + curve * (ball - centre)
+        if not sign * slope > 0:
+            raise UndecidedError("a motion all but rests where it turns")
+        rate = energy[1] / slope
+        place = arb_series([ball, rate, (energy[2] - curve * rate * rate / 2) / slope], ORDER)
+        along = potential.slope(place)
+        places.append(place)
+        slopes.append(sign * arb_series([slope, along[1], along[2]], ORDER))
+    return [*places, *slopes]
+
+
+def forms(potential: Potential, parts: list[Series]) -> list[Series]:
+    """A, B, C, sin D, u and w of the clamp.
+
+    |V′| over sin D is (A + C)/2 ± v₂′ sin D too, without a quotient, and (A + C)/2 M′ = v₂′ sin D D′, for V is the same
+    at both turning points. These tell more of a motion of all but a turn.
+    """
+    low, high, first, last = parts
+    half, middle = (high - low) / 2, (high + low) / 2
+    sine, cosine = half.sin(), half.cos()
+    positive(sine)
+    mean, lean = _ends(potential, middle, cosine)
+    positive(mean)
+    rate = lean * sine * half.derivative() / mean
+    middle = met(middle, arb_series([middle[0], rate[0], rate[1] / 2], ORDER))
+    mean, lean = _ends(potential, middle, cosine)
+    one, two = potential.harmonics(middle)
+    between = -2 * one * cosine - 4 * two * (1 + cosine * cosine)
+    first, last = met(first / sine, mean + lean * sine), met(last / sine, mean - lean * sine)
+    return [first, between, last, sine, (-low / 2).sin(), (high / 2).sin()]
+
+
+def _ends(potential: Potential, middle: Series, cosine: Series) -> tuple[Series, Series]:
+    """(A + C)/2, and v₂′ in the middle."""
+    one, two = potential.harmonics(middle)
+    return -one - 4 * two * cosine, 2 * potential.turned.harmonics(middle)[1]
+
+
+def met(one: Series, other: Series) -> Series:
+    """What two enclosures of the same have in common."""
+    return arb_series([one[k].intersection(other[k]) for k in range(ORDER)], ORDER)
+
+
+def ratios(parts: list[Series], up: bool) -> list[Series]:
+    """√(AC), B + 2√(AC), the factor of R_F without κ/√(YZ), Bs/C, As²/C and s/C."""
+    first, between, last, sine, behind, ahead = parts
+    root = first * last
+    root = root.sqrt() if root[0] > 0 else root  # not asked for where a motion rests for ever
+    if not up:
+        first, last, behind, ahead = last, first, ahead, behind
+    positive(last, behind)
+    share = ahead / behind
+    factor = sine / behind / behind / last
+    return [root, between + 2 * root, factor, between * share / last, first * share**2 / last, share / last]
+
+
+def quotients(parts: list[Series], speed: Series) -> list[Series]:
+    """The same, with Y + Z + 2√(YZ) and YZ for the rest; YZ once more by κ² = 4uw(Aw² + Buw + Cu²)/sin²D."""
+    root, gap, factor, linear, square, share = parts
+    product = 1 + linear + square
+    if share[0] > 0:
+        product = met(product, (factor * speed) ** 2 / (4 * share))
+    positive(product)
+    return [root, gap, factor, 2 + linear + 2 * product.sqrt(), product]
+
+
+def both(parts: list[Series], speed: Series) -> tuple[Series, Series]:
+    """Arrival and half-swing."""
+    root, gap, factor, pair, product = (first_order(part[0], part[1]) for part in parts)
+    positive(root, gap, product)
+    swing = first_order(arb.pi()) / gauss_mean(root.sqrt(), gap.sqrt() / 2)
+    return first_order(speed[0], speed[1]) * factor / product.sqrt() * carlson(pair, product), swing
