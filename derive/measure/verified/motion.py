@@ -10,120 +10,12 @@ clamp to the upper turning point takes κ sin D/(u²C√(YZ)) R_F(1, Y, Z), Y + 
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
-from typing import Any
+from flint import arb, arb_series
 
-from flint import arb, arb_series, ctx
-
-from derive.measure.verified_means import Series, UndecidedError, carlson, first_order, gauss_mean, positive
+from derive.measure.verified.means import Series, UndecidedError, carlson, first_order, gauss_mean, positive
+from derive.measure.verified.wells import Path, Potential, Well
 
 ORDER = 3  # Taylor coefficients of what the times are made of
-ROUNDS = 200  # of Newton's method with halvings
-
-
-@dataclass(frozen=True)
-class Potential:
-    """V, by the coefficients of its two harmonics."""
-
-    cosine: arb
-    sine: arb
-    double_cosine: arb
-    double_sine: arb
-
-    def harmonics(self, angle: Any) -> tuple[Any, Any]:
-        """The two parts of V."""
-        double = 2 * angle
-        return (
-            self.cosine * angle.cos() + self.sine * angle.sin(),
-            self.double_cosine * double.cos() + self.double_sine * double.sin(),
-        )
-
-    def value(self, angle: Any) -> Any:
-        """V."""
-        one, two = self.harmonics(angle)
-        return one + two
-
-    def slope(self, angle: Any) -> Any:
-        """V′."""
-        one, two = self.turned.harmonics(angle)
-        return one + 2 * two
-
-    def curve(self, angle: Any) -> Any:
-        """V″."""
-        one, two = self.harmonics(angle)
-        return -one - 4 * two
-
-    @property
-    def turned(self) -> Potential:
-        """The harmonics of V′, the second one halved."""
-        return Potential(self.sine, -self.cosine, self.double_sine, -self.double_cosine)
-
-    @property
-    def mirrored(self) -> Potential:
-        """V with angles counted the other way."""
-        return Potential(self.cosine, -self.sine, self.double_cosine, -self.double_sine)
-
-
-@dataclass(frozen=True)
-class Path:
-    """A family of motions by a place y. at(low, high): E and κ with two derivatives, for all places between.
-
-    turns: whether E is least or greatest at y = 0. up: the arrival asked for is that at the upper turning point.
-    """
-
-    at: Callable[[float, float], tuple[Series, Series]]
-    turns: bool
-    up: bool
-
-
-@dataclass
-class Well:
-    """Where motions swing: the hills on either side, the last wells before them, and V."""
-
-    potential: Potential
-    hills: tuple[arb, arb]
-    wells: tuple[arb, arb]
-    seen: dict[tuple[Any, ...], arb] = field(default_factory=dict)
-
-    def turning(self, path: Path, place: float, side: int) -> arb:
-        """The turning point below (side 0) or above (1) of the motion at a place."""
-        key = (path, place, side)
-        if key not in self.seen:
-            self.seen[key] = self.found(path.at(place, place)[0][0], side)
-        return self.seen[key]
-
-    def found(self, energy: arb, side: int) -> arb:
-        """The turning point of an energy: Newton's method for the root of the fall from the hill, and a check."""
-        sign, hill = (-1, 1)[side], self.hills[side]
-        inner = self.wells[side] if sign * self.wells[side] > 0 else arb(0)
-        top, low, high = self.potential.value(hill), arb(0), abs(hill - inner).mid()
-        goal, whole = (top - energy).mid(), (top - self.potential.value(inner)).mid()
-        if not goal > 0:
-            raise UndecidedError("an energy is as high as the hill")
-        offset = high if goal >= whole else (high * (goal / whole).sqrt()).mid()
-        fine = arb(2) ** (-(ctx.prec * 6 // 10))
-        for _ in range(ROUNDS):
-            angle = hill - sign * offset
-            fall, slope = (top - self.potential.value(angle)).mid(), (sign * self.potential.slope(angle)).mid()
-            low, high = (offset, high) if fall < goal else (low, offset)
-            before, offset = offset, ((low + high) / 2).mid()
-            if fall > 0 and slope > 0:
-                newton = (before - 2 * (fall - (fall * goal).sqrt()) / slope).mid()
-                offset = newton if low <= newton <= high else offset
-            if abs(offset - before) <= fine * offset:
-                break
-        return self.checked(energy, side, offset)
-
-    def checked(self, energy: arb, side: int, offset: arb) -> arb:
-        """The ball about an offset from the hill at whose ends V is on either side of the energy."""
-        slack = offset * arb(2) ** (-(ctx.prec // 2))
-        for _ in range(8):
-            ends = [self.hills[side] - (-1, 1)[side] * (offset + part) for part in (-slack, slack)]
-            if self.potential.value(ends[0]) > energy and self.potential.value(ends[1]) < energy:
-                return ends[0].union(ends[1])
-            slack = 64 * slack
-        raise UndecidedError("a turning point is not told")
 
 
 def times(well: Well, path: Path, low: float, high: float) -> tuple[Series, Series]:

@@ -2,7 +2,7 @@
 
 A rod starts at the clamp angle with a curvature κ, at the energy E = ½κ² + V. The first turning point ahead is reached
 after τ(κ), and others follow every half-swing H(E): rods whose tip is one of them are the equilibria. So these are the κ
-at which (ℓ − τ)/H is a whole number, on a few lines of motions (`verified_lines`), along each of which it is smooth in a
+at which (ℓ − τ)/H is a whole number, on a few lines of motions (`lines`), along each of which it is smooth in a
 place. In cells of the place in which it is no whole number there is none; in those where its derivative keeps its sign
 the ends tell how many there are; others are cut. Beyond the first and the last cell a motion rests near a hill for longer
 than the rod: before the turning point ahead, or, where that is reached before the rod's end, or after it, at all
@@ -13,15 +13,15 @@ All numbers are enclosed in balls (python-flint): the count is proved, but for f
 
 from __future__ import annotations
 
-from math import ceil, pi, sqrt
-from typing import Any
+from math import ceil, sqrt
 
 from flint import arb, ctx
 
 from derive.measure.reference import Rod
-from derive.measure.verified_lines import Line, lines, rests, scaled
-from derive.measure.verified_means import UndecidedError
-from derive.measure.verified_motion import ORDER, Potential, times
+from derive.measure.verified.lines import Line, lines
+from derive.measure.verified.means import UndecidedError
+from derive.measure.verified.motion import ORDER, times
+from derive.measure.verified.wells import scaled
 
 WIDEST = 0.5  # cells at first
 NARROWEST = 1e-9  # cells that are cut no more
@@ -42,18 +42,14 @@ def count(rod: Rod) -> int | None:
 
 
 def _count(rod: Rod) -> int:
-    potential, length = scaled(rod)
-    moment, straight = potential.slope(arb(0)), 0
-    if moment == 0:
-        if not potential.curve(arb(0)) < 0:
-            raise UndecidedError("a clamp across which the rod swings")
-        straight = 1
-    elif moment < 0:
+    potential, length, level = scaled(rod)
+    moment = potential.slope(arb(0))
+    if moment < 0:
         potential = potential.mirrored
-    elif not moment > 0:
+    elif not (moment > 0 or potential.even):
         raise UndecidedError("whether the clamp is a direction without moment is not told")
-    level = rod.beta == 0 or abs(rod.field_angle) == pi / 2
-    return straight + sum(crossed(line, length) for line in lines(potential, length, level=level))
+    straight = 1 if potential.even else 0
+    return straight + sum(line.sides * crossed(line, length) for line in lines(potential, length, level=level))
 
 
 def crossed(line: Line, length: arb) -> int:
