@@ -127,7 +127,7 @@ def told(well: Well, energies: arb, start: arb, length: arb, side: int, near: li
     try:
         parts = ratios(forms(potential, [arb_series([ball], ORDER) for ball in (*balls, *slopes)]), side == 1)
         speed = arb_series([(2 * (energies - start)).sqrt()], ORDER)
-        _, _, factor, pair, product = (first_order(part[0]) for part in quotients(parts, speed))
+        factor, pair, product = (first_order(part[0]) for part in quotients(parts, speed))
         arrival = (first_order(speed[0]) * factor / product.sqrt() * carlson(pair, product))[0]
     except UndecidedError:
         return False

@@ -34,15 +34,20 @@ def times(well: Well, path: Path, low: float, high: float) -> tuple[Series, Seri
     centres = [point.mid() for point in points]
     wide, thin = ends(well, here[0], balls, centres), ends(well, there[0], points, centres)
     wide, speed = sharper(wide, thin, aside), sharper([here[1]], [there[1]], aside)[0]
-    for step in (lambda parts, _: forms(well.potential, parts), lambda parts, _: ratios(parts, path.up), quotients):
-        thin = step(thin, there[1])
-        wide = sharper(step(wide, speed), thin, aside)
-    arrival, swing = both(wide, speed)
+    wide, thin = forms(well.potential, wide), forms(well.potential, thin)
+    wide = sharper(wide, thin, aside)
+    swung, swung_thin = halves(wide), halves(thin)
+    swung = sharper(swung, swung_thin, aside)
+    wide, thin = ratios(wide, path.up), ratios(thin, path.up)
+    wide = sharper(wide, thin, aside)
+    wide, thin = quotients(wide, speed), quotients(thin, there[1])
+    wide = sharper(wide, thin, aside)
+    arrival, swing = both([*swung, *wide], speed)
     if low == high:
         return arrival, swing
     return tuple(
         first_order((point[0] + ball[1] * aside).intersection(ball[0]), ball[1])
-        for ball, point in zip((arrival, swing), both(thin, there[1]), strict=True)
+        for ball, point in zip((arrival, swing), both([*swung_thin, *thin], there[1]), strict=True)
     )
 
 
@@ -103,27 +108,31 @@ def met(one: Series, other: Series) -> Series:
     return arb_series([one[k].intersection(other[k]) for k in range(ORDER)], ORDER)
 
 
+def halves(parts: list[Series]) -> list[Series]:
+    """√(AC) and B + 2√(AC)."""
+    product = parts[0] * parts[2]
+    positive(product)
+    return [product.sqrt(), parts[1] + 2 * product.sqrt()]
+
+
 def ratios(parts: list[Series], up: bool) -> list[Series]:
-    """√(AC), B + 2√(AC), the factor of R_F without κ/√(YZ), Bs/C, As²/C and s/C."""
+    """The factor of R_F without κ/√(YZ), Bs/C, As²/C and s/C."""
     first, between, last, sine, behind, ahead = parts
-    root = first * last
-    root = root.sqrt() if root[0] > 0 else root  # not asked for where a motion rests for ever
     if not up:
         first, last, behind, ahead = last, first, ahead, behind
     positive(last, behind)
     share = ahead / behind
-    factor = sine / behind / behind / last
-    return [root, between + 2 * root, factor, between * share / last, first * share**2 / last, share / last]
+    return [sine / behind / behind / last, between * share / last, first * share**2 / last, share / last]
 
 
 def quotients(parts: list[Series], speed: Series) -> list[Series]:
-    """The same, with Y + Z + 2√(YZ) and YZ for the rest; YZ once more by κ² = 4uw(Aw² + Buw + Cu²)/sin²D."""
-    root, gap, factor, linear, square, share = parts
+    """The factor, Y + Z + 2√(YZ) and YZ, the last once more by κ² = 4uw(Aw² + Buw + Cu²)/sin²D."""
+    factor, linear, square, share = parts
     product = 1 + linear + square
     if share[0] > 0:
         product = met(product, (factor * speed) ** 2 / (4 * share))
     positive(product)
-    return [root, gap, factor, 2 + linear + 2 * product.sqrt(), product]
+    return [factor, 2 + linear + 2 * product.sqrt(), product]
 
 
 def both(parts: list[Series], speed: Series) -> tuple[Series, Series]:
