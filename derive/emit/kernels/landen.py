@@ -29,6 +29,8 @@ def swing_and_arrival(a, b, square, rest):
     shares, mean = small_steps(a, b)
     ratio = b / a
     if ratio > APART:
+        # Beyond this ψ is a right angle to rounding, and cubes of the tangent may overflow.
+        tangent = min(tangent, epsilon() ** -2)
         square = tangent * tangent
         for share in shares:
             root, other_root = sqrt(1 + square), sqrt(1 + (1 - share) * (1 - share) * square)

@@ -29,7 +29,7 @@ def mean_less_field(eta, field_angle, basin, centre, half_width, near, far, heig
     """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
     level."""
     apart = mean - eta
-    close = apart <= 0.1 * eta
+    close = apart <= 0.3 * eta
     if beside is not None and any_of(field_angle != 0) and any_of(field_angle != pi / 2):
         rate = far if beside.is_far else near
         twist = end_twist(eta, rate, beside.stiffness, sin(half_width), cos(half_width))

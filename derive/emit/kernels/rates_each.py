@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/rates.py: do not edit, change that file.
 
-Digest of the inputs: sha256 a424019e5ecc6675d3c10a3d002cb2e3a7810c5f0058aa85b5db31fc1aefe71e
+Digest of the inputs: sha256 b49f861d8ab87339a4455c73ba30b495562f4c63951af2e6f829d8ac1d4fd59d
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ def mean_less_field_each(eta, field_angle, basin, centre, half_width, near, far,
     """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
     level."""
     apart = mean - eta
-    close = apart <= 0.1 * eta
+    close = apart <= 0.3 * eta
     if beside is not None and each_any_of(field_angle != 0) and each_any_of(field_angle != pi / 2):
         rate = far if beside.is_far else near
         twist = end_twist_each(eta, rate, beside.stiffness, each_sin(half_width), each_cos(half_width))
