@@ -48,6 +48,13 @@ def test_a_rod_that_rests_beside_a_shoulder_keeps_its_bounds() -> None:
     assert max(worst.by for worst in result.bounds.values()) <= 1  # it was 113
 
 
+def test_a_short_rod_that_turns_beyond_a_clamp_beside_a_shoulder_keeps_its_bounds() -> None:
+    rod = Rod(0.81517, 1.4773877140058738, 5.2993, -5.219753241877355, -1.1572)
+    found = hardness(kernel_module, [Case("", "", rod)])  # type: ignore[arg-type]  # all that is looked at
+    assert not found.faults
+    assert max(worst.by for worst in found.bounds.values()) <= 1  # z was off by 1.6
+
+
 def inside_the_astroid(rng: random.Random) -> Rod:
     """A rod with a shoulder, clamped anywhere, or beside it."""
     angle, beta = rng.uniform(0.01, 1.56), 10 ** rng.uniform(-3, 1)
