@@ -158,14 +158,16 @@ KERNEL_MUTANTS = [
     pytest.param("shapes", "-rod.side * sign * ldexp(speed", "rod.side * sign * ldexp(speed", id="a sign of θ′"),
     pytest.param("equilibria", "else swings + 1", "else swings", id="an index one too low"),
     pytest.param("equilibria", "2 * crossing.turns - (1", "2 * crossing.turns + (1", id="an index two too high"),
-    pytest.param("equilibria", "2 * beta * arc.y - arc", "2 * beta * arc.y + arc", id="a sign in the energy"),
+    pytest.param("bent_rods", "2 * beta * arc.y - arc", "2 * beta * arc.y + arc", id="a sign in the energy"),
     pytest.param(
-        "equilibria", "rod.side * ldexp(length * heading", "ldexp(length * heading", id="a mirror image not mirrored"
+        "bent_rods", "side * ldexp(length * heading", "ldexp(length * heading", id="a mirror image not mirrored"
     ),
-    pytest.param("equilibria", "ldexp(gamma, 2 * scale)", "-ldexp(gamma, 2 * scale)", id="the sign of gamma"),
-    pytest.param("equilibria", "through * a + b", "through * a - b", id="an arc on the wrong side"),
+    pytest.param("bent_rods", "ldexp(gamma, 2 * scale)", "-ldexp(gamma, 2 * scale)", id="the sign of gamma"),
+    pytest.param("bent_rods", "through * a + b", "through * a - b", id="an arc on the wrong side"),
     pytest.param("search", "else (1, -1):\n", "else (1,):\n", id="half of the branches"),
     pytest.param("search", "+ sign * item.arrival - length", "- sign * item.arrival - length", id="the other branch"),
+    pytest.param("ground", "level = 2 * atan2(", "level = atan2(", id="the level of a ridge"),
+    pytest.param("sides", "Clamp(-1 - clamp.turns", "Clamp(-clamp.turns", id="a turn too many on the other side"),
     pytest.param("symmetric_landscapes", "eta - beta", "eta + beta", id="wells in the wrong place"),
     pytest.param("blocks", "case=found.case + start", "case=found.case + 1", id="cases of a sweep one too high"),
     pytest.param("block_tips", "-side * found.sign", "found.sign", id="a sign in a sweep"),
