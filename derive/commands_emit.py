@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
+
+from rich.console import Console
+from rich.markup import escape
+from rich.table import Table
 
 from derive import output, pipeline, show
 from derive.commands import emitted_files, failed, running, save, scene_path, shipped, write_modules
@@ -56,8 +60,8 @@ def explain(options: argparse.Namespace, runner: Runner, scenes: Sequence[Path])
         del one["text"], one["full_text"]
     console = show.console()
     for one in found:
-        show.show_left_out(console, one)
-    show.show_sizes(console, found)
+        show_left_out(console, one)
+    show_sizes(console, found)
     save(options.json, {"modules": found})
     return 0
 
@@ -67,3 +71,35 @@ def texts(found: Sequence[dict[str, Any]]) -> dict[str, tuple[str, str]]:
     packages = {name: (*backend.packages, "math")[0] for name, backend in BACKENDS.items()}
     modules = {f"full {one['backend']}": (packages[one["backend"]], one["full_text"]) for one in found}
     return modules | {f"{one['scene']}_{one['backend']}": (packages[one["backend"]], one["text"]) for one in found}
+
+
+def show_left_out(console: Console, module: Mapping[str, Any]) -> None:
+    """What a module leaves out, by reason and kind."""
+    console.print(f"[bold]{module['scene']}[/] on {module['backend']}: {', '.join(module['outputs'])}")
+    for name, one in module["folded"].items():
+        console.print(f"  {name} = {one['value']}, folded by {one['by']}")
+    reasons: dict[str, dict[str, list[str]]] = {}
+    for absent in module["absent"]:
+        reasons.setdefault(absent["reason"], {}).setdefault(absent["kind"], []).append(absent["name"])
+    for reason, kinds in reasons.items():
+        console.print(f"  left out, {reason}:")
+        for kind, names in kinds.items():
+            plural = kind if len(names) == 1 else {"class": "classes"}.get(kind, f"{kind}s")
+            console.print(f"    {len(names)} {plural}: {escape(', '.join(names))}", soft_wrap=True)
+    console.print()
+
+
+def show_sizes(console: Console, modules: Sequence[Mapping[str, Any]]) -> None:
+    """How large modules are and how long they take to import, beside the full module of their backend."""
+    table = Table(title="Against the full module: any field angle, all outputs", title_justify="left", show_edge=False)
+    for heading in ("module", "functions", "lines", "bytes", "bytes of the full one", "import, ms", "from … to"):
+        table.add_column(heading, justify="left" if heading == "module" else "right")
+    full = {f"full, {one['backend']}": one["full_size"] for one in modules}
+    sizes = [(f"{one['scene']}_{one['backend']}", one["size"], one["full_size"]) for one in modules]
+    for name, size, whole in [*sizes, *((name, size, size) for name, size in full.items())]:
+        columns = [str(size[key]) for key in ("functions", "lines", "bytes")]
+        share = f"{100 * size['bytes'] / whole['bytes']:.0f} %"
+        time = size["import_ms"]
+        table.add_row(name, *columns, share, f"{time['median']:.1f}", f"{time['least']:.1f} … {time['most']:.1f}")
+    console.print(table)
+    console.print("Import: median, least and most of some fresh interpreters, beyond the import of NumPy or mpmath.")

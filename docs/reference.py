@@ -46,9 +46,9 @@ def markdown(docstring: str) -> str:
 
 
 def paragraph(text: str) -> str:
-    """One paragraph; lines are kept where some are indented."""
+    """One paragraph; lines are kept where some are indented, which go on with the line before."""
     if re.search(r"^ {4}", text, re.MULTILINE):
-        return "  \n".join(plain(line) for line in text.splitlines())
+        return "  \n".join(map(plain, re.sub(r"\n {4,}", " ", text).splitlines()))
     first, *rest = NAMED.split(text)
     named = zip(rest[::2], rest[1::2], strict=True)
     items = [f"- `{name.replace('`', '')}`: {plain(meaning)}" for name, meaning in named]

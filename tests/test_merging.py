@@ -18,7 +18,7 @@ from derive.emit.kernels.landscape import landscape
 from derive.emit.kernels.pieces import pieces
 from derive.emit.kernels.places import places
 from derive.emit.kernels.rests import mirror_landscape
-from derive.emit.kernels.search import delays, sample_at
+from derive.emit.kernels.time_map import delays, sample_at
 from derive.measure.agreement import answers, natural_size
 from derive.measure.counts import count
 from derive.measure.hard import SIZES, ULP, Hardness, compare, hardness, reference, wrong_in_kind

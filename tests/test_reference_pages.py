@@ -69,6 +69,7 @@ def test_docstrings_become_markdown() -> None:
     assert first == r"A rod, 2\*b\*x \< 3, in *one* plane."
     assert items == "- `beta`: force, a\\_b.\n- `y, z`: ``tip_y`` and more. Other: no name."
     assert last == "End."
+    assert REFERENCE.markdown("Gives: x.\nOf:\n    one,\n    two\nBy: d") == "Gives: x.  \nOf: one, two  \nBy: d"
 
 
 @pytest.mark.long

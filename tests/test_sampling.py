@@ -14,7 +14,8 @@ from derive.emit.kernels.landscape import landscape
 from derive.emit.kernels.pieces import pieces
 from derive.emit.kernels.places import about, grid
 from derive.emit.kernels.sampling import arrives_convexly, fall_between, valley
-from derive.emit.kernels.search import crossings, delays, sample_at
+from derive.emit.kernels.search import crossings
+from derive.emit.kernels.time_map import delays, sample_at
 
 ALONG, ACROSS = 0.0, math.pi / 2
 shares = st.floats(0, 1) | st.sampled_from([0.0, 0.3, 0.5, 0.5 + 1e-6, 1.0])

@@ -18,10 +18,11 @@ from derive.emit.kernels.arguments import (
 from derive.emit.kernels.arithmetic import real
 from derive.emit.kernels.blocks import sweep_arrays
 from derive.emit.kernels.dense import shape_at
-from derive.emit.kernels.equilibria import Equilibrium, all_equilibria, length_of
+from derive.emit.kernels.equilibria import all_equilibria
 from derive.emit.kernels.exchanges import Exchange, all_exchanges
 from derive.emit.kernels.folds import Fold, all_folds
 from derive.emit.kernels.literal import angle_and_position_literally
+from derive.emit.kernels.rods import Equilibrium, length_of
 from derive.emit.kernels.spans import span
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from derive.emit.kernels.api import Shape, Sweep, equilibria
 from derive.emit.kernels.arguments import all_real, index_limit
 from derive.emit.kernels.arguments_mpmath import many_rods
-from derive.emit.kernels.equilibria import Equilibrium, length_of
 from derive.emit.kernels.literal import angle_and_position_literally
+from derive.emit.kernels.rods import Equilibrium, length_of
 from derive.emit.kernels.shapes import angle_and_position
 
 

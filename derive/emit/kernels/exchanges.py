@@ -6,10 +6,10 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import ceil, frexp, ldexp
-from derive.emit.kernels.equilibria import principal
 from derive.emit.kernels.extrema import Mark, marks, slope_at
 from derive.emit.kernels.folds import both_sides, rod_of, steps
 from derive.emit.kernels.roots import bracketed_root
+from derive.emit.kernels.sides import principal
 from derive.emit.kernels.tracking import follow, matched, nearest, zeros
 from derive.emit.kernels.variations import Change
 

@@ -7,13 +7,13 @@ from typing import NamedTuple
 from derive.emit.kernels.arithmetic import ceil, epsilon, exp, inf
 from derive.emit.kernels.arrivals import least_arrival
 from derive.emit.kernels.basins import Piece
-from derive.emit.kernels.equilibria import Rod
 from derive.emit.kernels.ground import clamp_in, ground_of, ridge_of
 from derive.emit.kernels.landscape import landscape
 from derive.emit.kernels.pieces import pieces
 from derive.emit.kernels.places import about, grid
+from derive.emit.kernels.rods import Rod
 from derive.emit.kernels.roots import bracketed_root, dip
-from derive.emit.kernels.search import delays, sample_at
+from derive.emit.kernels.time_map import delays, sample_at
 from derive.emit.kernels.variations import Change, rates_of_times
 
 # Branches whose extremum is further from the rod's length than this share of it are not looked at.

@@ -5,11 +5,15 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from derive.emit.kernels.arithmetic import ceil, frexp, ldexp, log, pi, sqrt
-from derive.emit.kernels.equilibria import Rod, bent_rod, direction, principal, reflected
+from derive.emit.kernels.bent_rods import bent_rod
 from derive.emit.kernels.extrema import marks
 from derive.emit.kernels.ground import clamp_in
 from derive.emit.kernels.landscape import landscape
-from derive.emit.kernels.search import Crossing, delays, sample_at
+from derive.emit.kernels.rods import Rod
+from derive.emit.kernels.search import Crossing
+from derive.emit.kernels.sides import principal, reflected
+from derive.emit.kernels.straight_rods import direction
+from derive.emit.kernels.time_map import delays, sample_at
 from derive.emit.kernels.tracking import LEAST, nearest, zeros
 
 

@@ -75,7 +75,7 @@ def ridge_along(beta, eta, drop):
 
 
 class Ground(NamedTuple):
-    """What the ranges of a rod are told by: its landscape, the clamp's offsets from the directions there, and the ridge.
+    """What the ranges of a rod are told by: its landscape, the clamp's offsets from its directions, and the ridge.
 
     drop, level, depth, by_hill: see ``Ridge``; height: V(ridge) − V(clamp), or 0 where no ridge is lower than the hill.
     """

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from derive.emit.kernels.arithmetic import epsilon, log, pi, sqrt
 from derive.emit.kernels.motion import motion_at
-from derive.emit.kernels.search import Crossing, Stay, excess, sample_of
+from derive.emit.kernels.search import Crossing, excess
 from derive.emit.kernels.swing import speed_at
+from derive.emit.kernels.time_map import Stay, sample_of
 
 NEAR = 0.5  # how far a tip may be from where it was aimed, as a difference of places
 DEEP = 30  # places beyond which tips are told by other means

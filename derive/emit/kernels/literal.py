@@ -33,8 +33,8 @@ from derive.emit.kernels.article_formulas import (
     article_z_below,
     article_z_linear,
 )
-from derive.emit.kernels.equilibria import length_of
 from derive.emit.kernels.inverses import near_acos
+from derive.emit.kernels.rods import length_of
 from derive.emit.kernels.weierstrass import half_periods, perimeter_point
 
 

@@ -20,8 +20,8 @@ CLOSEST = 2.0**-26  # least distance of samples, as a share of how far a tip may
 UNSURE = 1e-10  # as a share of the same, what is missed of which the hundredth part may be wrong
 SLACK = 0.02  # by how much more than the bound samples must be apart for that
 REACH = 1e-3  # by how much more than a bound tips are looked for
-ALIKE = 1e-14  # as ``UNSURE``, what rounding may have made of zero
-SHOT_SERIES_SLOW = 0.6  # ℓ√(β + η) up to which the series of ℘ is right to the ten-trillionth part
+ALIKE = 4e-16  # as ``UNSURE``, what rounding may have made of zero
+SHOT_SERIES_SLOW = 0.6  # ℓ√(β + η) up to which the series of ℘ is right to 3e-13
 
 
 class Shot(NamedTuple):
@@ -59,7 +59,7 @@ def miss_of(beta, eta, field_angle, clamp_angle, slow):
     The rod's length is 1; slow: √(β + η).
     """
     # ℘ by its series on a part of the rod, and by as many doublings as make that the whole.
-    doublings, share = 0, 1
+    doublings, share = 0, 1.0
     while slow * share > SHOT_SERIES_SLOW:
         doublings, share = doublings + 1, share / 2
     force, field, steps = beta * share * share, eta * share * share, range(doublings)
