@@ -146,11 +146,11 @@ def test_rods_follow_the_case_and_the_scene() -> None:
 # Mutants: kernel file, what is changed, and why that is wrong.
 HOURS = pytest.mark.hours
 KERNEL_MUTANTS = [
+    pytest.param("landen", "gap = gauss_gap(gap,", "gap = gauss_gap(2 * gap,", id="a factor in Gauss's step"),
     pytest.param(
-        "swing", "a, b = total / 2, sqrt(a * b)", "a, b = total / 4, sqrt(a * b)", id="a factor in Gauss's step"
+        "landen", "return asinh(whole) / mean", "return 2 * asinh(whole) / mean", id="a factor of the half-swing"
     ),
-    pytest.param("swing", "return pi / (2 * mean)", "return pi / (4 * mean)", id="a factor of the half-swing"),
-    pytest.param("swing", "first, small, 1 - small)", "first, 1 - small, small)", id="sine for cosine of the phase"),
+    pytest.param("landen", "(small, large) if first", "(large, small) if first", id="sine for cosine of the phase"),
     pytest.param("shapes", "station.whole % 2 == 1", "station.whole % 2 == 0", id="the parity of the half-swings"),
     pytest.param(
         "shapes", "ldexp(s, rod.scale))", "rod.length - ldexp(s, rod.scale))", id="lengths from the wrong end"
@@ -178,6 +178,9 @@ KERNEL_MUTANTS = [
     pytest.param("block_short", "(sine + z) * length", "(sine - z) * length", id="a short rod of a sweep mirrored"),
     pytest.param("block_pieces", "turns[which]", "turns[which] + 1", id="a turn too many in a sweep"),
     pytest.param("block_tips", "* heading.cosine + y", "* heading.cosine - y", id="a place of a sweep mirrored"),
+    pytest.param(
+        "swing", "a, b = total / 2, sqrt(", "a, b = total / 4, sqrt(", id="a factor in Gauss's step of a sweep"
+    ),
 ]
 
 
