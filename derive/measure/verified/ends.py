@@ -68,15 +68,15 @@ def above(
     """The same for motions that pass the ridge, of one sense. heights: of the ridge and of the hills."""
     side, potential, (ridge, top) = int(path.up), well.potential, heights
     (place,) = (rest.angle for rest in around if rest.hill and well.hills[0] < rest.angle < well.hills[1])
-    room = max((abs(angle - place) for angle in (arb(0), *well.wells)), key=float)
+    ahead = not (place < 0 if path.up else place > 0)  # or the clamp itself is the ridge
+    passed = (arb(0), well.wells[side]) if ahead else well.wells
+    room = max((abs(angle - place) for angle in passed), key=float)
 
     def quiet_below(far: float) -> bool:
         over = (top - ridge) * logistic(-far)
         if not crosses(potential, place, room, over) > length:
             return False
-        ahead = place > 0 if path.up else place < 0
-        behind = place < 0 if path.up else place > 0
-        return bool(ahead or not behind) or told(well, ridge.union(ridge + over), start, length, side, [False, False])
+        return ahead or told(well, ridge.union(ridge + over), start, length, side, [False, False])
 
     def quiet_above(far: float) -> bool:
         hill = well.hills[side]

@@ -91,7 +91,7 @@ def forms(potential: Potential, parts: list[Series]) -> list[Series]:
     """
     low, high, first, last = parts
     half, middle = (high - low) / 2, (high + low) / 2
-    sine, cosine = half.sin(), half.cos()
+    sine, cosine = half.sin_cos()
     positive(sine)
     mean, lean = _ends(potential, middle, cosine)
     positive(mean)

@@ -39,10 +39,11 @@ class Potential:
 
     def harmonics(self, angle: Any) -> tuple[Any, Any]:
         """The two parts of V."""
-        double = 2 * angle
+        sine, cosine = angle.sin_cos()
+        double_sine, double_cosine = (2 * angle).sin_cos()
         return (
-            self.cosine * angle.cos() + self.sine * angle.sin(),
-            self.double_cosine * double.cos() + self.double_sine * double.sin(),
+            self.cosine * cosine + self.sine * sine,
+            self.double_cosine * double_cosine + self.double_sine * double_sine,
         )
 
     def value(self, angle: Any) -> Any:
