@@ -115,7 +115,7 @@ def listed(problem: Problem, options: argparse.Namespace) -> int:
 
 
 def counted(problem: Problem, found: int) -> int | None:
-    """How many equilibria are proved to exist, None if that is not told; shown, and as an error if it is not as found."""
+    """How many equilibria are proved to exist, None if that is not told; shown."""
     from derive.measure.reference import Rod
     from derive.measure.verified.counting import count
 

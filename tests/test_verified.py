@@ -1,4 +1,4 @@
-"""Counting by ball arithmetic: its enclosures hold, and its numbers are those of shooting, of proofs and of the solvers."""
+"""Counting by ball arithmetic: its enclosures hold; its numbers are those of shooting and of the solvers."""
 
 from __future__ import annotations
 
@@ -24,20 +24,20 @@ from derive.measure.verified.counting import count  # noqa: E402
 from derive.measure.verified.lines import Line, lines  # noqa: E402
 from derive.measure.verified.means import UndecidedError, carlson, first_order, gauss_mean  # noqa: E402
 from derive.measure.verified.motion import ORDER, times  # noqa: E402
-from derive.measure.verified.wells import Potential, rests, scaled  # noqa: E402
+from derive.measure.verified.potential import Potential, rests, scaled  # noqa: E402
 
-INCLINED = Rod(0.35, 0.52, 6.0, 2.3, 0.7)
+INCLINED = Rod(0.35, 0.52, 5.0, 2.3, 0.7)
 GIVEN = ["--beta", "0.00035", "--eta", "0.00052", "--length", "80", "--clamp-angle", "3*pi/4"]
 # What a clamp can be: before and beyond a well, below and above the ridge, a hill, a well and a ridge themselves.
 CLAMPS = [
-    (INCLINED, 5),
-    (Rod(0.2, 0.8, 5.0, 2.2, 0.4), None),
-    (Rod(0.2, 0.8, 5.0, -0.6, 0.4), None),
-    (Rod(0.7, 1.2, 6.0, pi, 0.0), None),
-    (Rod(1.7, 1.2, 6.0, pi, 0.0), None),
-    (Rod(0.7, 1.2, 6.0, 0.0, pi / 2), None),
+    (INCLINED, 3),
+    (Rod(0.2, 0.8, 4.0, 2.2, 0.4), 3),
+    (Rod(0.2, 0.8, 4.0, -0.6, 0.4), None),
+    pytest.param(Rod(0.7, 1.2, 6.0, pi, 0.0), None, marks=pytest.mark.long),
+    (Rod(1.7, 1.2, 3.0, pi, 0.0), None),
+    (Rod(0.7, 1.2, 5.0, 0.0, pi / 2), None),
     (Rod(0.7, 1.2, 9.0, 0.0, 0.0), 1),
-    (Rod(0.0, 1.0, 5.0, 3 * pi / 4, 0.0), 3),
+    pytest.param(Rod(0.0, 1.0, 20.0, 3 * pi / 4, 0.0), 11, marks=pytest.mark.long),
     (Rod(1.0, 0.0, 9.0, 0.0, 0.3), 1),
     (Rod(0.9, 0.1, 0.7, 1.0, 0.3), 1),
 ]
@@ -68,12 +68,13 @@ def test_every_kind_of_clamp(rod: Rod, number: int | None) -> None:
     found = count(rod)
     assert found == solved(rod)
     assert number in (None, found)
+    assert (flint.ctx.prec, flint.ctx.cap) == (128, ORDER)
 
 
 def test_the_numbers_are_those_of_shooting() -> None:
     rng, rods = np.random.default_rng(5), []
-    for _ in range(6):
-        share, slow = rng.uniform(), rng.uniform(4, 8)
+    for _ in range(2):
+        share, slow = rng.uniform(), rng.uniform(4, 7)
         rods.append(
             Rod(slow**2 * share, slow**2 * (1 - share), 1.0, rng.uniform(-pi, pi), rng.uniform(-pi / 2, pi / 2))
         )
@@ -89,16 +90,12 @@ def test_long_inclined_rods(seed: int) -> None:
     assert count(rod) == solved(rod)
 
 
+@pytest.mark.long
 def test_a_fold_is_not_decided_and_beside_it_there_are_two_more() -> None:
     at = float(fold(PAPER, "eta", 0.00045, 2.2).value)
     numbers = [count(replace(PAPER, eta=at * factor)) for factor in (1 - 1e-6, 1, 1 + 1e-6)]
     assert numbers[1] is None
     assert {numbers[0], numbers[2]} == {1, 3}
-
-
-def test_balls_are_as_before_afterwards() -> None:
-    count(INCLINED)
-    assert (flint.ctx.prec, flint.ctx.cap) == (128, ORDER)
 
 
 def test_times_are_those_of_the_motion() -> None:

@@ -1,10 +1,10 @@
 """How many equilibria a rod has, proved by ball arithmetic, for any field angle and length.
 
 A rod starts at the clamp angle with a curvature κ, at the energy E = ½κ² + V. The first turning point ahead is reached
-after τ(κ), and others follow every half-swing H(E): rods whose tip is one of them are the equilibria. So these are the κ
-at which (ℓ − τ)/H is a whole number, on a few lines of motions (`lines`), along each of which it is smooth in a
-place. In cells of the place in which it is no whole number there is none; in those where its derivative keeps its sign
-the ends tell how many there are; others are cut. Beyond the first and the last cell a motion rests near a hill for longer
+after τ(κ), and others follow every half-swing H(E): rods whose tip is one of them are the equilibria. So these are the
+κ at which (ℓ − τ)/H is a whole number, on a few lines of motions (`lines`), along each of which it is smooth.
+In cells of the place in which it is no whole number there is none; in those where its derivative keeps its sign the
+ends tell how many there are; others are cut. Beyond the first and the last cell a motion rests near a hill for longer
 than the rod: before the turning point ahead, or, where that is reached before the rod's end, or after it, at all
 energies there, before the next one. So nothing is there.
 
@@ -13,6 +13,7 @@ All numbers are enclosed in balls (python-flint): the count is proved, but for f
 
 from __future__ import annotations
 
+from itertools import pairwise
 from math import ceil, sqrt
 
 from flint import arb, ctx
@@ -21,7 +22,7 @@ from derive.measure.reference import Rod
 from derive.measure.verified.lines import Line, lines
 from derive.measure.verified.means import UndecidedError
 from derive.measure.verified.motion import ORDER, times
-from derive.measure.verified.wells import scaled
+from derive.measure.verified.potential import scaled
 
 WIDEST = 0.5  # cells at first
 NARROWEST = 1e-9  # cells that are cut no more
@@ -67,7 +68,7 @@ def crossed(line: Line, length: arb) -> int:
 
     number, edge = 0, ceil((line.high - line.low) / WIDEST)
     cuts = [line.low + (line.high - line.low) * k / edge for k in range(edge + 1)]
-    todo = list(zip(cuts[:-1], cuts[1:], strict=True))
+    todo = list(pairwise(cuts))
     while todo:
         low, high = todo.pop()
         kind = judged(line, length, low, high)

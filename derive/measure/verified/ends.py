@@ -8,7 +8,8 @@ from flint import arb, arb_series
 
 from derive.measure.verified.means import UndecidedError, carlson, first_order
 from derive.measure.verified.motion import ORDER, forms, quotients, ratios
-from derive.measure.verified.wells import Path, Potential, Rest, Well
+from derive.measure.verified.potential import Potential, Rest
+from derive.measure.verified.wells import Path, Well
 
 SHARES = (0.9, 0.5, 0.2, 0.05, 0.01)  # of the room beside a hill in which a motion's time there is bounded
 STEP = 0.5  # of the place, by which an end is looked for
@@ -67,15 +68,15 @@ def above(
     """The same for motions that pass the ridge, of one sense. heights: of the ridge and of the hills."""
     side, potential, (ridge, top) = int(path.up), well.potential, heights
     (place,) = (rest.angle for rest in around if rest.hill and well.hills[0] < rest.angle < well.hills[1])
-    room = max((abs(angle - place) for angle in (arb(0), *well.wells)), key=float)
+    ahead = not (place < 0 if path.up else place > 0)  # or the clamp itself is the ridge
+    passed = (arb(0), well.wells[side]) if ahead else well.wells
+    room = max((abs(angle - place) for angle in passed), key=float)
 
     def quiet_below(far: float) -> bool:
         over = (top - ridge) * logistic(-far)
         if not crosses(potential, place, room, over) > length:
             return False
-        ahead = place > 0 if path.up else place < 0
-        behind = place < 0 if path.up else place > 0
-        return bool(ahead or not behind) or told(well, ridge.union(ridge + over), start, length, side, [False, False])
+        return ahead or told(well, ridge.union(ridge + over), start, length, side, [False, False])
 
     def quiet_above(far: float) -> bool:
         hill = well.hills[side]
@@ -85,7 +86,7 @@ def above(
 
 
 def stays(potential: Potential, hill: arb, room: arb, below: arb) -> arb:
-    """How long at least a motion to or from a hill that turns so far below it is beside it, on that side; more for less.
+    """How long at least a motion that turns so far below a hill stays beside it, on one side; longer for less.
 
     With μ² ≤ −V″ ≤ λ² up to an offset X, it turns before √(2·below)/μ, and is no faster than √(λ²x² − 2·below).
     """
@@ -116,7 +117,7 @@ def crosses(potential: Potential, ridge: arb, room: arb, over: arb) -> arb:
 
 
 def told(well: Well, energies: arb, start: arb, length: arb, side: int, near: list[bool]) -> bool:
-    """Whether, at all energies of a ball, the turning point ahead is reached before a length, or at all of them after."""
+    """Whether the turning point ahead is reached before a length at all energies of a ball, or at all of them after."""
     balls = []
     for other in (0, 1):
         ends = [energies.lower()] if near[other] else [energies.lower(), energies.upper()]

@@ -1,7 +1,7 @@
 """The families of motions through a clamp angle, each along a line, and beyond which places none is an equilibrium.
 
-Below the lower hill, or where hills are level, a motion swings in one well, and κ = κ_top tanh y; between the two hills it
-passes the lower one, the ridge, and E goes from one to the other by a logistic curve, for κ of either sign.
+Below the lower hill, or where hills are level, a motion swings in one well, κ = κ_top tanh y; between the heights of
+the two it passes the lower one, the ridge, and E goes from one to the other by a logistic curve, for either sign of κ.
 """
 
 from __future__ import annotations
@@ -14,7 +14,8 @@ from flint import arb, arb_series
 from derive.measure.verified.ends import above, first_below, logistic, within
 from derive.measure.verified.means import UndecidedError
 from derive.measure.verified.motion import ORDER
-from derive.measure.verified.wells import Path, Potential, Well, rests, well_between
+from derive.measure.verified.potential import TURNS, Potential, rests
+from derive.measure.verified.wells import Path, Well, well_between
 
 
 @dataclass(frozen=True)
@@ -70,13 +71,8 @@ def lines(potential: Potential, length: arb, *, level: bool) -> list[Line]:
     heights = [potential.value(rest.angle) for rest in around if rest.hill]
     top, ridge = max(heights, key=float), min(heights, key=float)
     any_well, balanced = well_between(potential, around, None), potential.even
-    if level or 4 * 2 == len(around):  # over four turns: a turn has one hill and one well
-        if balanced and potential.curve(arb(0)) < 0:
-            return []  # nothing moves from the highest hill
-        if balanced:
-            low, high = first_below(any_well, start, top, length), within(any_well, start, top, length)[1]
-            return [Line(any_well, swinging(start, top), low, high, 2)]
-        return [Line(any_well, swinging(start, top), *within(any_well, start, top, length))]
+    if level or len(heights) == TURNS:  # one hill in a turn
+        return in_level_well(any_well, start, top, length)
     if not ridge < top:
         raise UndecidedError("which hill is higher is not told")
     if balanced and not start < top:
@@ -93,3 +89,13 @@ def lines(potential: Potential, length: arb, *, level: bool) -> list[Line]:
     if not start < ridge:
         raise UndecidedError("whether the clamp is above the ridge is not told")
     return [*found, Line(any_well, swinging(start, ridge), *within(any_well, start, ridge, length))]
+
+
+def in_level_well(well: Well, start: arb, top: arb, length: arb) -> list[Line]:
+    """The families where all hills are as high as the top."""
+    if not well.potential.even:
+        return [Line(well, swinging(start, top), *within(well, start, top, length))]
+    if well.potential.curve(arb(0)) < 0:
+        return []  # nothing moves from the highest hill
+    low, high = first_below(well, start, top, length), within(well, start, top, length)[1]
+    return [Line(well, swinging(start, top), low, high, 2)]

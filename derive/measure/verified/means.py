@@ -1,7 +1,7 @@
 """Two symmetric integrals in balls, with their first derivatives: Gauss's mean and Carlson's R_F.
 
-Both are reached by steps that only add, multiply and take roots of positive numbers, so a wide ball stays about as narrow
-as what it holds. When the numbers of a step are all but equal is told by bounds that are no wider for wide balls.
+Both are reached by steps that only add, multiply and take roots of positive numbers, so a wide ball stays about as
+narrow as what it holds. When the numbers of a step are all but equal is told by bounds that wide balls do not widen.
 """
 
 from __future__ import annotations
@@ -58,9 +58,9 @@ def gauss_mean(one: Series, other: Series) -> Series:
 def carlson(root: Series, product: Series) -> Series:
     """R_F(1, Y, Z) by root = (√Y + √Z)² and product = YZ, for Y and Z real or conjugate (DLMF 19.26.18, 19.36.1).
 
-    A step takes x, y, z to (x + λ)/4 …: the mean less x falls by 4, (mean − y)(mean − z) by 16, exactly. Of the series in
-    E₂ and E₃ what is left out is (1 + E₂ − E₃)^(−1/2) with smaller coefficients, so no more than w³/(1 − w) + E₃²,
-    w = |E₂| + |E₃|, and its derivative no more than that of this.
+    A step takes x, y, z to (x + λ)/4 …: the mean less x falls by 4, (mean − y)(mean − z) by 16, exactly. The series in
+    E₂ and E₃ is that of (1 + E₂ − E₃)^(−1/2) with smaller coefficients: what is left out is no more than
+    w³/(1 − w) + E₃², w = |E₂| + |E₃|, and its derivative no more than that of this.
     """
     positive(root, product)
     x, pair = first_order(1), root - 2 * product.sqrt()

@@ -1,11 +1,11 @@
-"""The motions through a clamp angle: turning points, half-swing and arrival, enclosed with their derivatives.
+"""The motions through a clamp angle: half-swing and arrival, enclosed with their derivatives.
 
-Seen along the rod, θ moves in a potential V = c₁ cos θ + s₁ sin θ + c₂ cos 2θ + s₂ sin 2θ, angles measured from the clamp,
-at the energy E = ½θ′² + V, between two turning points. With u and w the sines of half the distances from the lower and
-to the upper one, and D half the width of the swing, θ′² = 4uw(Aw² + Buw + Cu²)/sin²D: then s = w/u has
-ds/√(s(C + Bs + As²)) = dσ. A and C are |V′| over sin D at the two, and B = −2v₁ cos D − 4v₂(1 + cos²D), v₁ and v₂ the two
-harmonics of V in the middle. Half a swing is π over the mean of √√(AC) and ½√(B + 2√(AC)); the way from θ′ = κ at the
-clamp to the upper turning point takes κ sin D/(u²C√(YZ)) R_F(1, Y, Z), Y + Z = 2 + Bs/C and YZ = 1 + Bs/C + As²/C.
+Seen along the rod, θ moves in the `potential` V of two harmonics, angles measured from the clamp, at the energy
+E = ½θ′² + V, between two turning points. With u and w the sines of half the distances from the lower and to the upper
+one, and D half the width of the swing, θ′² = 4uw(Aw² + Buw + Cu²)/sin²D: then s = w/u has ds/√(s(C + Bs + As²)) = dσ.
+A and C are |V′| over sin D at the two, and B = −2v₁ cos D − 4v₂(1 + cos²D), v₁ and v₂ the harmonics of V in the middle.
+Half a swing is π over the mean of √√(AC) and ½√(B + 2√(AC)); the way from θ′ = κ at the clamp to the upper one takes
+κ sin D/(u²C√(YZ)) R_F(1, Y, Z), Y + Z = 2 + Bs/C and YZ = 1 + Bs/C + As²/C.
 """
 
 from __future__ import annotations
@@ -13,7 +13,8 @@ from __future__ import annotations
 from flint import arb, arb_series
 
 from derive.measure.verified.means import Series, UndecidedError, carlson, first_order, gauss_mean, positive
-from derive.measure.verified.wells import Path, Potential, Well
+from derive.measure.verified.potential import Potential
+from derive.measure.verified.wells import Path, Well
 
 ORDER = 3  # Taylor coefficients of what the times are made of
 
@@ -23,14 +24,7 @@ def times(well: Well, path: Path, low: float, high: float) -> tuple[Series, Seri
     middle = (low + high) / 2
     aside = arb(low).union(arb(high)) - middle
     here, there = path.at(low, high), path.at(middle, middle)
-    balls, points = [], []
-    for side in (0, 1):
-        places = (low, high, middle, 0.0) if path.turns and low < 0 < high else (low, high, middle)
-        ball, *others = (well.turning(path, place, side) for place in places)
-        points.append(others[1])
-        for other in others:
-            ball = ball.union(other)
-        balls.append(ball)
+    balls, points = turnings(well, path, low, high)
     centres = [point.mid() for point in points]
     wide, thin = ends(well, here[0], balls, centres), ends(well, there[0], points, centres)
     wide, speed = sharper(wide, thin, aside), sharper([here[1]], [there[1]], aside)[0]
@@ -49,6 +43,19 @@ def times(well: Well, path: Path, low: float, high: float) -> tuple[Series, Seri
         first_order((point[0] + ball[1] * aside).intersection(ball[0]), ball[1])
         for ball, point in zip((arrival, swing), both([*swung_thin, *thin], there[1]), strict=True)
     )
+
+
+def turnings(well: Well, path: Path, low: float, high: float) -> tuple[list[arb], list[arb]]:
+    """Both turning points for all places between two, which are monotone in the energy, and in the middle."""
+    balls, points = [], []
+    for side in (0, 1):
+        places = (low, high, (low + high) / 2, 0.0) if path.turns and low < 0 < high else (low, high, (low + high) / 2)
+        ball, *others = (well.turning(path, place, side) for place in places)
+        points.append(others[1])
+        for other in others:
+            ball = ball.union(other)
+        balls.append(ball)
+    return balls, points
 
 
 def sharper(wide: list[Series], thin: list[Series], aside: arb) -> list[Series]:
@@ -84,7 +91,7 @@ def forms(potential: Potential, parts: list[Series]) -> list[Series]:
     """
     low, high, first, last = parts
     half, middle = (high - low) / 2, (high + low) / 2
-    sine, cosine = half.sin(), half.cos()
+    sine, cosine = half.sin_cos()
     positive(sine)
     mean, lean = _ends(potential, middle, cosine)
     positive(mean)
