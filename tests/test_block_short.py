@@ -8,10 +8,11 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy.integrate import quad
+from sympy import cancel, symbols
 from test_shots import COUNT, short_rods
 
 from derive.emit.kernels import block_short, block_shots, blocks
-from derive.emit.kernels.block_arrivals import Load, aim_at, load_of, miss
+from derive.emit.kernels.block_arrivals import Load, Quartic, ahead_doubled, aim_at, eighth_of, load_of, miss
 from derive.emit.kernels.block_records import rows
 from derive.emit.kernels.block_short import half_of_gauss, integrals, points_for
 from derive.emit.kernels.block_shots import SHOT_SLOW
@@ -85,6 +86,17 @@ def test_no_motion_is_deeper_in_imaginary_time() -> None:
         assert reached.max() > 0.8 * depth
 
 
+def test_the_curve_is_doubled_as_that_of_weierstrass() -> None:
+    """℘(2z) by DLMF 23.10.7, with the invariants of `theory/oblique_quartic`, against ℘ − c."""
+    p, m, q, n, ahead = symbols("p m q n ahead")
+    c, wp = q / 12, ahead + q / 12
+    g2 = q**2 / 12 - m * p / 4
+    g3 = m * p * q / 48 - q**3 / 216 - n * p**2 / 16
+    doubled = ((wp**2 + g2 / 4) ** 2 + 2 * g3 * wp) / (4 * wp**3 - g2 * wp - g3) - c
+    quartic = Quartic(p / 4, q, m * p / 4, n * p**2 / 16)
+    assert cancel(ahead_doubled(quartic, eighth_of(quartic), ahead) - doubled) == 0
+
+
 @pytest.mark.parametrize("number", [4, 14, 46])
 def test_points_of_gauss_and_legendre(number: int) -> None:
     place, weight = half_of_gauss(number)
@@ -130,6 +142,24 @@ def test_tips_that_do_not_settle_are_left_to_the_scalar_solver(monkeypatch: pyte
     for name in ("tip_angle", "clamp_curvature", "y", "z", "energy"):
         one, other = getattr(found, name), getattr(wanted, name)
         assert np.allclose(one, other, rtol=1e-10, atol=1e-10 * (1 + some[2].max()))
+
+
+def test_a_tip_that_another_has_led_to_is_not_taken_twice(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each rod's tips are aimed at from its lowest one: secants then settle on that, or anywhere."""
+    rods = short_rods(6, 40)
+    wanted = sweep_arrays(*rods[3:8], (40,), None)
+    aimed = block_shots.approached
+
+    def lowest(function: Any, given: Any, *ends: Any) -> Any:
+        share, slope = aimed(function, given, *ends)
+        first = np.unique(given.clamp_angle, return_index=True, return_inverse=True)
+        return share[first[1]][first[2]], slope[first[1]][first[2]]
+
+    monkeypatch.setattr(block_shots, "approached", lowest)
+    found = sweep_arrays(*rods[3:8], (40,), None)
+    assert np.bincount(wanted.case).max() > 1
+    assert np.array_equal(found.case, wanted.case)
+    assert np.allclose(found.tip_angle, wanted.tip_angle, rtol=0, atol=1e-9)
 
 
 @pytest.mark.parametrize(("slow", "most"), [(SHOT_SLOW, 1), (1.6 * pi, 2)])

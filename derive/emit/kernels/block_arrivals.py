@@ -1,7 +1,7 @@
 """Where motions from rest at a tip are after the length of a short rod, on arrays.
 
 From a tip φ the motion is at φ + 2 arctan(b/(℘(σ) − c)) (`theory/oblique`), and ℘ follows from its series near 0 by
-the duplication formula (DLMF 23.9.2, 23.10.7): no roots, no ranges.
+the duplication formula (DLMF 23.9.2, 23.10.7, here of ℘ − c): no roots, no ranges.
 """
 
 from __future__ import annotations

@@ -99,6 +99,8 @@ def shots_of(rods):
     share, slope = approached(miss, some, *ends, AIMS, AIM_SPREAD, AGAIN)
     share, slope, lost = settled_shares(some, share, slope)
     found = Shots(which, share * some.reach, slope / some.reach, spans.after > 0)
+    # A secant may lead to the tip of another span.
+    lost = concatenate([lost, flatnonzero(~((share > ends[0]) & (share < ends[1])))])
     if lost.size:
         unsure = concatenate([unsure, which[lost]])
         found = rows(found, ~isin(which, unsure))

@@ -1,4 +1,4 @@
-"""Each kind of range of tip angles, by its ends: a hill, the level of the ridge, the clamp, or where rods turn there."""
+"""Each kind of range of tip angles, by its ends: a hill, the level of the ridge, the clamp, or where rods turn."""
 
 from __future__ import annotations
 

@@ -14,23 +14,23 @@ def rates(beta, eta, field_angle, basin, centre, half_width, sine, near, far, he
     cos_middle, cos_double = cos(middle), cos(2 * (middle - field_angle))
     product = sqrt(near) * sqrt(far)
     excess = -(2 * beta * cos_middle * cosine + eta * cos_double * (1 + cosine * cosine))
-    if beside is not None:
+    if beside is not None and any_of(field_angle != 0) and any_of(field_angle != pi / 2):
         # The same, for V at both ends is equal.
         excess = end_excess(far if beside.is_far else near, beside.stiffness, cosine)
     split, rate = excess < 0, sqrt(product + larger(excess, 0))
     if any_of(split):
         mean = -(2 * beta * cos_middle + eta * cosine * cos_double)
-        apart = mean_less_field(eta, basin, centre, half_width, near, far, height, beside, mean)
+        apart = mean_less_field(eta, field_angle, basin, centre, half_width, near, far, height, beside, mean)
         rate = pick(split, sine * sqrt(apart * (mean + eta) / pick(split, product - excess, 1)), rate)
     return sqrt(product / 2), rate / 2
 
 
-def mean_less_field(eta, basin, centre, half_width, near, far, height, beside, mean):
+def mean_less_field(eta, field_angle, basin, centre, half_width, near, far, height, beside, mean):
     """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
     level."""
     apart = mean - eta
     close = apart <= 0.3 * eta
-    if beside is not None:
+    if beside is not None and any_of(field_angle != 0) and any_of(field_angle != pi / 2):
         rate = far if beside.is_far else near
         twist = end_twist(eta, rate, beside.stiffness, sin(half_width), cos(half_width))
         # The cosine is positive, for a₀ − η is, and that is P′ less η(1 − cosine).

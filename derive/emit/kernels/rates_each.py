@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/rates.py: do not edit, change that file.
 
-Digest of the inputs: sha256 a0b930278f8bfeee0e174c707b1b2bbc607a68d9df0b90ee095735757e459938
+Digest of the inputs: sha256 b49f861d8ab87339a4455c73ba30b495562f4c63951af2e6f829d8ac1d4fd59d
 """
 
 from __future__ import annotations
@@ -31,23 +31,23 @@ def rates_each(beta, eta, field_angle, basin, centre, half_width, sine, near, fa
     cos_middle, cos_double = each_cos(middle), each_cos(2 * (middle - field_angle))
     product = each_sqrt(near) * each_sqrt(far)
     excess = -(2 * beta * cos_middle * cosine + eta * cos_double * (1 + cosine * cosine))
-    if beside is not None:
+    if beside is not None and each_any_of(field_angle != 0) and each_any_of(field_angle != pi / 2):
         # The same, for V at both ends is equal.
         excess = end_excess_each(far if beside.is_far else near, beside.stiffness, cosine)
     split, rate = excess < 0, each_sqrt(product + larger(excess, 0))
     if each_any_of(split):
         mean = -(2 * beta * cos_middle + eta * cosine * cos_double)
-        apart = mean_less_field_each(eta, basin, centre, half_width, near, far, height, beside, mean)
+        apart = mean_less_field_each(eta, field_angle, basin, centre, half_width, near, far, height, beside, mean)
         rate = each_pick(split, sine * each_sqrt(apart * (mean + eta) / each_pick(split, product - excess, 1)), rate)
     return each_sqrt(product / 2), rate / 2
 
 
-def mean_less_field_each(eta, basin, centre, half_width, near, far, height, beside, mean):
+def mean_less_field_each(eta, field_angle, basin, centre, half_width, near, far, height, beside, mean):
     """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
     level."""
     apart = mean - eta
     close = apart <= 0.3 * eta
-    if beside is not None:
+    if beside is not None and each_any_of(field_angle != 0) and each_any_of(field_angle != pi / 2):
         rate = far if beside.is_far else near
         twist = end_twist_each(eta, rate, beside.stiffness, each_sin(half_width), each_cos(half_width))
         # The cosine is positive, for a₀ − η is, and that is P′ less η(1 − cosine).
