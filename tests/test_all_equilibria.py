@@ -185,6 +185,15 @@ def test_a_rod_as_long_as_its_half_swings() -> None:
         assert not wrong_in_kind(found, None)
 
 
+@pytest.mark.parametrize("beta", [1e-40, 2.3e-23, 1e-18, 1e-12])
+def test_a_clamp_that_counts_as_a_ridge_is_as_far_from_the_hills(beta: float) -> None:
+    """A rounding off it, too: a tip whose motion rests there was missing on one side."""
+    clamps = (nextafter(pi, 0), pi, nextafter(pi, 9))
+    found = [solved(Rod(beta, 9.3e-4, 7100.0, sign * clamp, 0.0)) for sign in (1, -1) for clamp in clamps]
+    assert all(not wrong_in_kind(one, None) for one in found)
+    assert len({len(one) for one in found}) == 1
+
+
 @pytest.mark.parametrize("beta", [1.0, 3.0, 6.3, 10.0, 30.0])
 def test_long_rods_that_all_but_rest_on_a_ridge(beta: float) -> None:
     # A motion passes the ridge by less than any rounding of the potential, and still by so much and no less.
