@@ -234,6 +234,13 @@ def test_an_index_limit_bounds_the_work(
     assert len(calls) < 5e4
 
 
+def test_the_tips_of_very_long_rods_are_within_the_places_that_are_looked_at() -> None:
+    """Beside ℓ√(β + η) = 10¹¹⁰ rounding is far more than any fixed margin."""
+    load = 2.587296078237596e216
+    for rod in ((load, load, 80.0, math.pi / 2, 0.0), (load, 0.3 * load, 1.7, 2.0, 0.4), (0.0, load, 3.3, 1.0, 0.4)):
+        assert {one.index for one in api.equilibria(*rod, max_index=0)} == {0}
+
+
 def test_few_points_of_a_long_rod_are_computed_one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:
     calls = calls_of(monkeypatch, dense, "bins_of")
     (one, *_) = api.equilibria(1.0, 0.0, 1e5, 2.0, 0.0, max_index=0)
