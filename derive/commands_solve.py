@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import importlib.util
 from collections.abc import Sequence
 from math import radians
 from typing import Any
@@ -13,6 +14,7 @@ from derive import commands, show
 from derive.diagrams import aim, picture
 from derive.diagrams.plotting import format_of, library
 from derive.diagrams.problem import SMALL, Problem
+from derive.diagrams.refused import must_be_solvable, must_be_traceable
 from derive.diagrams.rod_file import read_rod
 from derive.diagrams.tables import table
 from derive.numbers import MistakeError, given_numbers, number, parameters, spelled_option
@@ -41,9 +43,19 @@ def must_fit(options: argparse.Namespace) -> None:
         raise MistakeError("--range is for a --target; leave it out, or add as in --target y=-20")
     if options.target and (options.csv or options.plot):
         raise MistakeError("--csv and --plot show one rod; solve that of the setting found, without --target")
+    if options.count and (options.target or options.max_index is not None):
+        raise MistakeError("--count is of all equilibria of one rod; leave out --target and --max-index")
+    if options.count:
+        needs_flint()
     if options.plot:
         format_of(options.plot)
         library()
+
+
+def needs_flint() -> None:
+    """MistakeError where ball arithmetic is missing."""
+    if importlib.util.find_spec("flint") is None:
+        raise MistakeError("--count needs python-flint: pip install 'magnetic-rods[certified]'")
 
 
 def problem_of(options: argparse.Namespace) -> Problem:
@@ -77,6 +89,7 @@ def folded(scene: str) -> dict[str, float]:
 
 def listed(problem: Problem, options: argparse.Namespace) -> int:
     """Show and write all equilibria."""
+    must_be_solvable(problem.full, options.max_index)
     try:
         found = problem.equilibria(options.max_index)
     except ValueError as error:
@@ -90,13 +103,33 @@ def listed(problem: Problem, options: argparse.Namespace) -> int:
     if problem.rod:
         data |= {"units": {name: f"{unit:~}" for name, unit in problem.rod.units.items()} | {"energy": "J"}}
         data["epsilon"] = smallness(problem, found)
+    if options.count:
+        data["proved"] = counted(problem, len(found))
     commands.save(options.json, data | {"degrees": problem.in_degrees, "equilibria": rows})
     if options.csv:
         commands.write_file(options.csv, problem.csv(found, options.points).encode())
     if options.plot:
         kind = format_of(options.plot)
         commands.write_file(options.plot, picture.drawn(problem.curves(found, 401), problem.view(), kind))
-    return 0
+    return 1 if options.count and data["proved"] != len(found) else 0
+
+
+def counted(problem: Problem, found: int) -> int | None:
+    """How many equilibria are proved to exist, None if that is not told; shown."""
+    from derive.measure.reference import Rod
+    from derive.measure.verified.counting import count
+
+    number = count(Rod(**problem.full))
+    if number == found:
+        show.console().print("proved by ball arithmetic: there are no more and no fewer")
+    elif number is None:
+        why = "two equilibria all but meet, or two directions without moment do"
+        show.console(stderr=True).print(f"derive solve: the number is not proved: {why}; change a load a little")
+    else:
+        show.console(stderr=True).print(
+            f"derive solve: {found} found, but {number} proved to exist: a fault of the solver"
+        )
+    return number
 
 
 def aimed(problem: Problem, options: argparse.Namespace) -> int:
@@ -104,6 +137,7 @@ def aimed(problem: Problem, options: argparse.Namespace) -> int:
     name = aim.VARIED[options.vary]
     coordinate, value = aim.goal(problem, options.target, number)
     low, high = aim.limits(problem, name, options.range, number)
+    must_be_traceable({**problem.full, name: high})
     try:
         reach = aim.reached(problem, name, coordinate, value, low, high)
     except ValueError as error:

@@ -7,6 +7,7 @@ import os
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import BrokenExecutor, CancelledError, Executor, ProcessPoolExecutor
 from contextlib import contextmanager
+from itertools import product
 from types import ModuleType
 from typing import Any
 
@@ -21,6 +22,7 @@ from derive.diagrams.branches import Diagram, beside_folds, diagram
 from derive.diagrams.diagram_picture import drawn
 from derive.diagrams.jumps import jumps
 from derive.diagrams.plotting import LETTERS, format_of, library
+from derive.diagrams.refused import must_be_traceable
 from derive.diagrams.request import LOADS, Request, request
 from derive.diagrams.states import rows
 from derive.emit.scene import load_scene
@@ -42,6 +44,8 @@ def run_sweep(options: argparse.Namespace) -> int:
     if not hasattr(module, "sweep"):
         raise MistakeError(f"scene '{options.scene}' has no output 'sweep'; add it to its outputs")
     folded = {name: float(value) for name, value in scene.folded.items()}
+    for fixed, end in product(asked.curves, (asked.values[0], asked.values[-1])):
+        must_be_traceable({**folded, **fixed, asked.parameter: end})
     found = curves(options, module, asked, folded)
     for number, one in enumerate(found, 1):
         show_diagram(number if len(found) > 1 else 0, one)

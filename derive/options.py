@@ -115,6 +115,8 @@ def solve_options(add: argparse.ArgumentParser) -> None:
     add.add_argument("--rod", type=Path, metavar="FILE", help="rod, particles and loads in physical units (TOML)")
     add.add_argument("--degrees", action="store_true", help="angles in degrees, given and shown")
     add.add_argument("--max-index", type=int, metavar="N", help="leave out what is less stable; 0: stable ones only")
+    proof = "prove how many there are by ball arithmetic; exit 1 unless as many are found (extra: certified)"
+    add.add_argument("--count", action="store_true", help=proof)
     add.add_argument("--csv", type=Path, metavar="FILE", help="write the shapes: s, theta, curvature, y, z")
     add.add_argument("--points", type=int, default=201, metavar="N", help="places along a rod in the CSV (default 201)")
     add.add_argument("--plot", type=Path, metavar="FILE", help="draw the equilibria (.svg, .png or .pdf)")

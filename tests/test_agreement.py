@@ -146,11 +146,11 @@ def test_rods_follow_the_case_and_the_scene() -> None:
 # Mutants: kernel file, what is changed, and why that is wrong.
 HOURS = pytest.mark.hours
 KERNEL_MUTANTS = [
+    pytest.param("landen", "gap = gauss_gap(gap,", "gap = gauss_gap(2 * gap,", id="a factor in Gauss's step"),
     pytest.param(
-        "swing", "a, b = total / 2, sqrt(a * b)", "a, b = total / 4, sqrt(a * b)", id="a factor in Gauss's step"
+        "landen", "return asinh(whole) / mean", "return 2 * asinh(whole) / mean", id="a factor of the half-swing"
     ),
-    pytest.param("swing", "return pi / (2 * mean)", "return pi / (4 * mean)", id="a factor of the half-swing"),
-    pytest.param("swing", "first, small, 1 - small)", "first, 1 - small, small)", id="sine for cosine of the phase"),
+    pytest.param("landen", "(small, large) if first", "(large, small) if first", id="sine for cosine of the phase"),
     pytest.param("shapes", "station.whole % 2 == 1", "station.whole % 2 == 0", id="the parity of the half-swings"),
     pytest.param(
         "shapes", "ldexp(s, rod.scale))", "rod.length - ldexp(s, rod.scale))", id="lengths from the wrong end"
@@ -158,14 +158,16 @@ KERNEL_MUTANTS = [
     pytest.param("shapes", "-rod.side * sign * ldexp(speed", "rod.side * sign * ldexp(speed", id="a sign of θ′"),
     pytest.param("equilibria", "else swings + 1", "else swings", id="an index one too low"),
     pytest.param("equilibria", "2 * crossing.turns - (1", "2 * crossing.turns + (1", id="an index two too high"),
-    pytest.param("equilibria", "2 * beta * arc.y - arc", "2 * beta * arc.y + arc", id="a sign in the energy"),
+    pytest.param("bent_rods", "2 * beta * arc.y - arc", "2 * beta * arc.y + arc", id="a sign in the energy"),
     pytest.param(
-        "equilibria", "rod.side * ldexp(length * heading", "ldexp(length * heading", id="a mirror image not mirrored"
+        "bent_rods", "side * ldexp(length * heading", "ldexp(length * heading", id="a mirror image not mirrored"
     ),
-    pytest.param("equilibria", "ldexp(gamma, 2 * scale)", "-ldexp(gamma, 2 * scale)", id="the sign of gamma"),
-    pytest.param("equilibria", "through * a + b", "through * a - b", id="an arc on the wrong side"),
+    pytest.param("bent_rods", "ldexp(gamma, 2 * scale)", "-ldexp(gamma, 2 * scale)", id="the sign of gamma"),
+    pytest.param("bent_rods", "through * a + b", "through * a - b", id="an arc on the wrong side"),
     pytest.param("search", "else (1, -1):\n", "else (1,):\n", id="half of the branches"),
     pytest.param("search", "+ sign * item.arrival - length", "- sign * item.arrival - length", id="the other branch"),
+    pytest.param("ground", "level = 2 * atan2(", "level = atan2(", id="the level of a ridge"),
+    pytest.param("sides", "Clamp(-1 - clamp.turns", "Clamp(-clamp.turns", id="a turn too many on the other side"),
     pytest.param("symmetric_landscapes", "eta - beta", "eta + beta", id="wells in the wrong place"),
     pytest.param("blocks", "case=found.case + start", "case=found.case + 1", id="cases of a sweep one too high"),
     pytest.param("block_tips", "-side * found.sign", "found.sign", id="a sign in a sweep"),
@@ -176,6 +178,9 @@ KERNEL_MUTANTS = [
     pytest.param("block_short", "(sine + z) * length", "(sine - z) * length", id="a short rod of a sweep mirrored"),
     pytest.param("block_pieces", "turns[which]", "turns[which] + 1", id="a turn too many in a sweep"),
     pytest.param("block_tips", "* heading.cosine + y", "* heading.cosine - y", id="a place of a sweep mirrored"),
+    pytest.param(
+        "swing", "a, b = total / 2, sqrt(", "a, b = total / 4, sqrt(", id="a factor in Gauss's step of a sweep"
+    ),
 ]
 
 

@@ -50,7 +50,8 @@ def test_the_same_function_as_that_of_sweeps() -> None:
     load, share = load_of(rods), np.linspace(-1, 1, COUNT)
     for k, missed in enumerate(miss(load, share)):
         beta, eta, field = float(load.beta[k]), float(load.eta[k]), float(rods.field_angle[k])
-        found = miss_of(beta, eta, field, float(load.clamp_angle[k]), sqrt(beta + eta))(float(share[k] * load.reach[k]))
+        missed_by_one = miss_of(beta, eta, field, float(load.clamp_angle[k]), float(rods.slow[k]))
+        found = missed_by_one(float(share[k] * load.reach[k]))
         assert isclose(found, missed, rel_tol=0, abs_tol=UNSURE / 100 * load.reach[k])
 
 

@@ -21,7 +21,7 @@ from generated import field_only_numpy, force_only_numpy, parallel_numpy
 
 QUICK = ("weak", "clamps", "field angles", "lengths", "discriminants", "gammas", "searched")
 CASES = ("parallel", "orthogonal", "oblique", "field_only", "force_only")
-# In bounds: of places, angles and energy, of which one is asked; a few rods miss it by a tenth. Of curvatures and γ.
+# In bounds: of places, angles and energy, of which one is asked; of curvatures and γ.
 BOUNDS, OTHERS = 1.0, 1.25
 PROMISED = {"tip_angle", "y", "z", "energy", "theta(s)", "y(s)", "z(s)"}
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import pi, radians
+from math import inf, pi, radians
 from typing import Any
 
 from derive.diagrams.problem import Problem
@@ -48,7 +48,7 @@ def has_unit(text: str) -> bool:
 def limits(problem: Problem, name: str, text: str | None, number: Number) -> tuple[float, float]:
     """The range of the parameter, in the solver's terms."""
     if text is None:
-        return (0.0, pi) if name == "field_angle" else (0.0, (FAR / problem.full["length"]) ** 2)
+        return (0.0, pi) if name == "field_angle" else (0.0, usual(problem.full["length"]))
     parts = text.split(":")
     if len(parts) != 2:
         raise MistakeError(f'--range: "{text}" is no range; write LOW:HIGH, as in --range 0:0.001')
@@ -58,6 +58,16 @@ def limits(problem: Problem, name: str, text: str | None, number: Number) -> tup
     if low < 0 and name != "field_angle":
         raise MistakeError(f'--range: "{text}" goes below 0; begin at 0 (a field the other way is the same field)')
     return low, high
+
+
+def usual(length: float) -> float:
+    """The load up to which is looked if no range is given."""
+    high = (FAR / length) * (FAR / length)
+    if not 0 < high < inf:
+        raise MistakeError(
+            f"--range is needed: the usual one is no double with --length {length:g}; or take another unit"
+        )
+    return high
 
 
 def inward(problem: Problem, name: str, text: str, number: Number) -> float:

@@ -19,7 +19,7 @@ from derive.emit.values import Exact, decide, exact, truth, value_of
 
 # Functions that give back their last argument when it is a constant within its domain: real(name, value) and the like,
 # and what takes a part of an array, or asks whether any element holds, where all are one and the same.
-_CHECKS = ("real", "not_negative", "positive")
+_CHECKS = ("real", "not_negative", "positive", "within_turns")
 _IDENTITIES = (
     "float",
     "mpf",

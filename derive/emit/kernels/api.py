@@ -9,14 +9,22 @@ from derive.emit.kernels.arguments import (
     all_not_negative,
     all_positive,
     all_real,
+    all_within_turns,
     common_shape,
     index_limit,
     not_negative,
     positive,
     refuse,
 )
-from derive.emit.kernels.arithmetic import real
+from derive.emit.kernels.block_bounds import all_must_have_answers
 from derive.emit.kernels.blocks import sweep_arrays
+from derive.emit.kernels.bounds import (
+    EXCHANGES_SLOWEST,
+    FOLDS_SLOWEST,
+    must_be_searchable,
+    must_have_answer,
+    within_turns,
+)
 from derive.emit.kernels.dense import shape_at
 from derive.emit.kernels.equilibria import all_equilibria
 from derive.emit.kernels.exchanges import Exchange, all_exchanges
@@ -61,8 +69,10 @@ def equilibria(beta, eta, length, clamp_angle, field_angle, *, max_index=None) -
     All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """
     beta, eta, length = not_negative("beta", beta), not_negative("eta", eta), positive("length", length)
-    clamp_angle, field_angle = real("clamp_angle", clamp_angle), real("field_angle", field_angle)
-    return all_equilibria(beta, eta, length, clamp_angle, field_angle, index_limit(max_index))
+    clamp_angle, field_angle = within_turns("clamp_angle", clamp_angle), within_turns("field_angle", field_angle)
+    limit = index_limit(max_index)
+    must_have_answer(beta, eta, length, limit)
+    return all_equilibria(beta, eta, length, clamp_angle, field_angle, limit)
 
 
 def shape(equilibrium: Equilibrium, s, *, position=True) -> Shape:
@@ -104,8 +114,12 @@ def sweep(beta, eta, length, clamp_angle, field_angle, *, max_index=None) -> Swe
     Raises TypeError or ValueError, naming the argument and the flat index of a bad value, before any work.
     """
     beta, eta, length = all_not_negative("beta", beta), all_not_negative("eta", eta), all_positive("length", length)
-    clamp_angle, field_angle = all_real("clamp_angle", clamp_angle), all_real("field_angle", field_angle)
+    clamp_angle, field_angle = (
+        all_within_turns("clamp_angle", clamp_angle),
+        all_within_turns("field_angle", field_angle),
+    )
     grid, limit = common_shape(Given(beta, eta, length, clamp_angle, field_angle)), index_limit(max_index)
+    all_must_have_answers(beta, eta, length, grid, limit)
     found = sweep_arrays(beta, eta, length, clamp_angle, field_angle, grid, limit)
     return Sweep(
         found.case,
@@ -131,8 +145,10 @@ def folds(beta, length, clamp_angle, field_angle, *, eta) -> list[Fold]:
     All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """
     beta, length = not_negative("beta", beta), positive("length", length)
-    clamp_angle, field_angle = real("clamp_angle", clamp_angle), real("field_angle", field_angle)
-    return all_folds(beta, length, clamp_angle, field_angle, *span("eta", eta))
+    clamp_angle, field_angle = within_turns("clamp_angle", clamp_angle), within_turns("field_angle", field_angle)
+    low, high = span("eta", eta)
+    must_be_searchable(beta, high, length, FOLDS_SLOWEST)
+    return all_folds(beta, length, clamp_angle, field_angle, low, high)
 
 
 def exchanges(length, clamp_angle, field_angle, *, beta, eta) -> list[Exchange]:
@@ -147,5 +163,7 @@ def exchanges(length, clamp_angle, field_angle, *, beta, eta) -> list[Exchange]:
     All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """
     length = positive("length", length)
-    clamp_angle, field_angle = real("clamp_angle", clamp_angle), real("field_angle", field_angle)
-    return all_exchanges(length, clamp_angle, field_angle, *span("beta", beta), *span("eta", eta))
+    clamp_angle, field_angle = within_turns("clamp_angle", clamp_angle), within_turns("field_angle", field_angle)
+    (low_beta, high_beta), (low, high) = span("beta", beta), span("eta", eta)
+    must_be_searchable(high_beta, high, length, EXCHANGES_SLOWEST)
+    return all_exchanges(length, clamp_angle, field_angle, low_beta, high_beta, low, high)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from derive.emit.kernels.api import Shape, Sweep, equilibria
 from derive.emit.kernels.arguments import all_real, index_limit
 from derive.emit.kernels.arguments_mpmath import many_rods
+from derive.emit.kernels.block_records import element
+from derive.emit.kernels.bounds import must_have_answer
 from derive.emit.kernels.literal import angle_and_position_literally
 from derive.emit.kernels.rods import Equilibrium, length_of
 from derive.emit.kernels.shapes import angle_and_position
@@ -62,6 +64,9 @@ def sweep(beta, eta, length, clamp_angle, field_angle, *, max_index=None) -> Swe
     """
     given, limit = many_rods(beta, eta, length, clamp_angle, field_angle), index_limit(max_index)
     rods = list(zip(*given, strict=True))
+    for case in range(len(rods)):
+        force, magnet, extent = element(case, given.beta), element(case, given.eta), element(case, given.length)
+        must_have_answer(force, magnet, extent, limit)
     found = [(case, item) for case, rod in enumerate(rods) for item in equilibria(*rod, max_index=limit)]
     return Sweep(
         [case for case, _ in found],

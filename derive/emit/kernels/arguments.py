@@ -7,7 +7,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from derive.emit.kernels.arithmetic import in_a_line, real
+from derive.emit.kernels.arithmetic import epsilon, in_a_line, real, sqrt
+from derive.emit.kernels.bounds import within_turns
+
+COUNTED = 2**53  # an index beyond is none that a rod has, and no double
 
 
 class Given(NamedTuple):
@@ -36,7 +39,7 @@ def index_limit(max_index):
     limit = integer("max_index", max_index)
     if limit < 0:
         raise ValueError(f"max_index must not be negative, got {max_index!r}")
-    return limit
+    return min(limit, COUNTED)
 
 
 def integer(name: str, value: Any) -> int:
@@ -77,6 +80,14 @@ def all_positive(name, values):
     """Real numbers > 0, or an error that names the argument and the flat index of the first that is none."""
     numbers = all_real(name, values)
     refuse(name, numbers, numbers <= 0, "must be positive")
+    return numbers
+
+
+def all_within_turns(name, values):
+    """Real numbers that tell angles, or an error that names argument and flat index of the first that does not."""
+    numbers = all_real(name, values)
+    for place in np.flatnonzero(np.abs(numbers) > 1 / sqrt(epsilon()))[:1].tolist():
+        within_turns(f"{name}[{place}]" if numbers.ndim else name, float(numbers.flat[place]))
     return numbers
 
 

@@ -8,6 +8,7 @@ from mpmath import mp
 
 from derive.emit.kernels.arguments import Given, integer, not_negative, positive
 from derive.emit.kernels.arithmetic import real
+from derive.emit.kernels.bounds import within_turns
 
 FEWEST = 15  # decimal digits
 MOST = 1000
@@ -31,8 +32,8 @@ def many_rods(beta, eta, length, clamp_angle, field_angle):
         all_not_negative("beta", beta),
         all_not_negative("eta", eta),
         all_positive("length", length),
-        all_real("clamp_angle", clamp_angle),
-        all_real("field_angle", field_angle),
+        all_within_turns("clamp_angle", clamp_angle),
+        all_within_turns("field_angle", field_angle),
     )
     lengths = {len(part) for part in given if isinstance(part, list)}
     if len(lengths - {1}) > 1:
@@ -54,6 +55,11 @@ def all_not_negative(name, values):
 def all_positive(name, values):
     """Real numbers > 0, or an error that names the argument and the index of the first that is none."""
     return each_of(positive, name, values)
+
+
+def all_within_turns(name, values):
+    """Real numbers that tell angles, or an error that names the argument and the index of the first that is none."""
+    return each_of(within_turns, name, values)
 
 
 def all_real(name, values):

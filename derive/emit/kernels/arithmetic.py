@@ -59,6 +59,7 @@ __all__ = [
     "pick",
     "plus_quarters",
     "real",
+    "roughly",
     "sin",
     "sinh",
     "spacing",
@@ -132,6 +133,11 @@ def any_of(condition):
 def deepest(width):
     """How far down, in the logarithm of the share of a width, the square of an offset is still a number."""
     return max(40.0, 300 + log(width))
+
+
+def roughly(work):
+    """What some work gives, where a few digits of it will do: doubles have no fewer."""
+    return work()
 
 
 def complex_of(real, imaginary):

@@ -17,12 +17,14 @@ from mpmath import (
     isfinite,
     ldexp,
     log,
+    mp,
     mpf,
     pi,
     sin,
     sinh,
     sqrt,
     tan,
+    workdps,
 )
 from mpmath import ceil as mpf_ceil
 from mpmath import floor as mpf_floor
@@ -60,12 +62,16 @@ __all__ = [
     "pick",
     "plus_quarters",
     "real",
+    "roughly",
     "sin",
     "sinh",
     "spacing",
     "sqrt",
     "tan",
 ]
+
+
+ROUGH_DIGITS = 20  # with which folds are found; Newton's method doubles them
 
 
 def epsilon():
@@ -141,6 +147,12 @@ def any_of(condition):
 def deepest(width):
     """How far down, in the logarithm of the share of a width, the square of an offset is still a number: no limit."""
     return inf
+
+
+def roughly(work):
+    """What some work gives, where a few digits of it will do."""
+    with workdps(min(ROUGH_DIGITS, mp.dps)):
+        return work()
 
 
 def arc_excess(x):

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from derive.emit.kernels.expansion import bins_of
+from derive.emit.kernels.expansion import bins_of, period_of
 from derive.emit.kernels.lookup import by_lookup
 from derive.emit.kernels.runs import by_runs, cells_for
 from derive.emit.kernels.shapes import angle_and_position
 
 FEW = 64  # points up to which each is computed by itself
+SHORTEST = 2  # bins in a unit of a rod's own length, at least: of a long rod with few points most would have none
 
 
 def shape_at(equilibrium, s, position=True):
@@ -17,7 +18,7 @@ def shape_at(equilibrium, s, position=True):
     flat = np.ravel(s)
     if equilibrium.swing is None:
         values = angle_and_position(equilibrium, flat)
-    elif flat.size <= FEW:
+    elif flat.size <= max(FEW, SHORTEST * (period_of(equilibrium)[0] or equilibrium.rod.length)):
         values = np.array([angle_and_position(equilibrium, place) for place in flat.tolist()]).reshape(-1, 4).T
     else:
         values = by_series(equilibrium, flat, position)

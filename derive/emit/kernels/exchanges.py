@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import ceil, frexp, ldexp
+from derive.emit.kernels.arithmetic import ceil, frexp, ldexp, log, pi
 from derive.emit.kernels.extrema import Mark, marks, slope_at
 from derive.emit.kernels.folds import both_sides, rod_of, steps
 from derive.emit.kernels.roots import bracketed_root
@@ -15,6 +15,7 @@ from derive.emit.kernels.variations import Change
 
 # How near, as a share of the loads, an exchange may lie to where its branch's extremum itself appears.
 CLOSE = 1e-3
+FORCES = 20  # forces in a range by whose ends loads differ by a factor e
 
 
 class Exchange(NamedTuple):
@@ -52,10 +53,22 @@ def all_exchanges(length, clamp_angle, field_angle, low_beta, high_beta, low, hi
 
         return stationary(extrema, places, -beta, key)
 
-    count = ceil(20 * (high_beta - low_beta) / (low_beta + high)) + 3
-    loads = [low_beta, *(low_beta + k * (high_beta - low_beta) / count for k in range(1, count)), high_beta]
+    loads = forces(low_beta, high_beta, length, high)
     found = [exchange_of(at, mark) for mark in zeros(at, loads, -high, CLOSE)]
     return sorted(found, key=lambda item: (item.beta, item.eta))
+
+
+def forces(low, high, length, field):
+    """The β to look at first, each larger than the last by the same share of β and the largest field.
+
+    As long as ℓ²(β + η) < (π/2)² nothing meets.
+    """
+    first = pi / 2 / length
+    start = max(low, first * first - field)
+    ratio = (high + field) / (start + field)
+    count = ceil(FORCES * log(ratio)) + 3
+    inner = [(start + field) * ratio ** (k / count) - field for k in range(1, count)]
+    return [start, *(beta for beta in inner if start < beta < high), high]
 
 
 def stationary(at, places, origin, key):

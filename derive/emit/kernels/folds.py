@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from derive.emit.kernels.arithmetic import ceil, frexp, ldexp, log, pi, sqrt
+from derive.emit.kernels.arithmetic import ceil, epsilon, frexp, inf, ldexp, log, pi, roughly, sqrt
 from derive.emit.kernels.bent_rods import bent_rod
 from derive.emit.kernels.extrema import marks
 from derive.emit.kernels.ground import clamp_in
@@ -47,7 +47,8 @@ def all_folds(beta, length, clamp_angle, field_angle, low, high):
     def at(eta, key):
         return marks(both_sides(beta, eta, length, clamp_angle, field, scale), key)
 
-    found = [fold_of(sharpened(at, mark)) for mark in zeros(at, places, -beta, LEAST)]
+    rough = roughly(lambda: zeros(at, places, -beta, LEAST))
+    found = [fold_of(sharpened(at, mark)) for mark in rough]
     found += pitchforks(beta, length, clamp_angle, field, scale, places)
     return sorted(found, key=lambda item: (item.eta, item.tip_angle))
 
@@ -76,9 +77,18 @@ def steps(beta, soonest, length, low, high):
 
 
 def sharpened(at, mark):
-    """The extremum where its length is the rod's, by one step of Newton's method: η then has no error of its own."""
-    eta = mark.rod.eta - mark.height / mark.slope
-    return nearest(at(eta, mark.key), mark.key, mark.spot) or mark
+    """The extremum where its length is the rod's, by Newton's method: η then has no error of its own.
+
+    A step squares the error, so after one below the root of rounding there is none left.
+    """
+    step, least = inf, sqrt(epsilon()) * (mark.rod.beta + mark.rod.eta)
+    while abs(step) > least:
+        last, step = step, mark.height / mark.slope
+        better = nearest(at(mark.rod.eta - step, mark.key), mark.key, mark.spot)
+        if better is None or 2 * abs(step) > abs(last):  # beside an exchange there is no slope to tell more
+            return mark
+        mark = better
+    return mark
 
 
 def fold_of(mark):

@@ -25,6 +25,11 @@ def clamp_in(rests, angle):
         if not any_of(shift != 0):
             break
         turns = turns + shift
+    # One that counts as a direction without moment is as far from the others as that is.
+    for there, met in zip(rests, offsets, strict=True):
+        if any_of(met == 0):
+            apart = zip(rests, offsets, strict=True)
+            offsets = tuple(pick(met == 0, turn_to(rest, there), offset) for rest, offset in apart)
     return Clamp(turns, offsets)
 
 

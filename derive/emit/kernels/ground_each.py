@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/ground.py: do not edit, change that file.
 
-Digest of the inputs: sha256 388943fae91548c4190494c12543ee172be87e6cb35e84ba6150ef2c83884584
+Digest of the inputs: sha256 ae480700e7afac49fe21a245c07b7dafd8b7349a1c09a11ddf511d7154743b67
 """
 
 from __future__ import annotations
@@ -23,6 +23,11 @@ def clamp_in_each(rests, angle):
         if not each_any_of(shift != 0):
             break
         turns = turns + shift
+    # One that counts as a direction without moment is as far from the others as that is.
+    for there, met in zip(rests, offsets, strict=True):
+        if each_any_of(met == 0):
+            apart = zip(rests, offsets, strict=True)
+            offsets = tuple(each_pick(met == 0, turn_to_each(rest, there), offset) for rest, offset in apart)
     return Clamp(turns, offsets)
 
 

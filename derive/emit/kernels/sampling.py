@@ -14,8 +14,11 @@ SAFE = 1e-9  # bounds count where they hold by this much more than they must
 NEAREST = 0.3  # about the least distance of places between which a branch may have two extrema, 0.6 seen
 
 
-def samples_on(beta, eta, field_angle, length, piece, sample, short):
-    """Samples of a piece, near enough for all crossings; short: the rod is shorter than any half-swing."""
+def samples_on(beta, eta, field_angle, length, piece, sample, short, last):
+    """Samples of a piece, near enough for all crossings of whole numbers up to the last.
+
+    short: the rod is shorter than any half-swing.
+    """
 
     def too_low(place):
         return least_arrival(beta, eta, piece, *about(piece, place)) > (1 + SAFE) * length
@@ -34,7 +37,7 @@ def samples_on(beta, eta, field_angle, length, piece, sample, short):
     # A motion that arrives before the stiffest pendulum is down arrives the sooner, the nearer its tip (Sturm).
     quarter = pi / 2 / sqrt(beta + eta)
     soon = (1 - SAFE) * min(quarter, length) if short and piece.high_kind == "clamp" else 0
-    samples = refined(sample, sampled(sample, wanted, first, soon), length)
+    samples = refined(sample, sampled(sample, wanted, first, soon), length, last)
     end = end_sample(piece, samples[-1])
     return samples if end is None else [*samples, end]
 
@@ -62,25 +65,25 @@ def falls(one, other):
     return apart >= 0 and 2 * less >= apart
 
 
-def refined(sample, samples, length):
+def refined(sample, samples, length, last):
     """More samples where half-swing or arrival bend between neighbours, as far as the rod's length is sensitive."""
     done, todo = [samples[0]], samples[:0:-1]
     while todo:
         before, after = done[-1], todo[-1]
-        apart = after.place - before.place > NEAREST
+        apart = after.place - before.place > max(NEAREST, 8 * epsilon() * abs(before.place))
         beside = [(done[-2], before, after)] if len(done) > 1 else []
         beside += [(before, after, todo[-2])] if len(todo) > 1 else []
-        if apart and any(bends(one, two, three, length) for one, two, three in beside):
+        if apart and any(bends(one, two, three, length, last) for one, two, three in beside):
             todo.append(sample((before.place + after.place) / 2))
         else:
             done.append(todo.pop())
     return done
 
 
-def bends(first, second, third, length):
+def bends(first, second, third, length, last):
     """Whether the curves bend so much at the second sample that a count may reach a whole number unseen beside it.
 
-    By how far the straight line through two samples misses the third.
+    Those beyond the last are not wanted. By how far the straight line through two samples misses the third.
     """
     share = (third.place - second.place) / (second.place - first.place)
     swing = third.swing - second.swing - share * (second.swing - first.swing)
@@ -90,7 +93,7 @@ def bends(first, second, third, length):
     for sign in (1, -1):
         for item in (first, second, third):
             count = (length - sign * item.arrival) / (2 * item.swing)
-            whole = floor(count + 0.5)
+            whole = min(floor(count + 0.5), last)
             if abs(count - whole) < reach and (whole > 0 or (whole == 0 and sign > 0)):
                 return True
     return False

@@ -33,13 +33,14 @@ def crossings(beta, eta, field_angle, length, piece, most):
 
     # No half-swing is shorter than that of the stiffest pendulum.
     short = length * sqrt(beta + eta) < pi
-    samples = samples_on(beta, eta, field_angle, length, piece, sample, short)
+    samples = samples_on(beta, eta, field_angle, length, piece, sample, short, (most + 1) / 2)
     found = []
     for sign in (1,) if short else (1, -1):
         counts = [(length - sign * item.arrival) / (2 * item.swing) for item in samples]
-        for turns, before, after, beside in brackets(sample, samples, counts, length, sign):
-            # At least 2·turns − 1 conjugate points, or one more on the branch that has gone on.
-            if (turns or sign > 0) and 2 * turns - (sign < 0) <= most:
+        # At least 2·turns − 1 conjugate points, or one more on the branch that has gone on.
+        last = (most + (sign < 0)) / 2
+        for turns, before, after, beside in brackets(sample, samples, counts, length, sign, last):
+            if (turns or sign > 0) and turns <= last:
                 found.append(crossing(sample, turns, sign, length, (before, after, *beside)))
     return found
 
@@ -62,22 +63,28 @@ def excess(item, turns, sign, length):
     return (2 * turns * item.swing if turns else 0) + sign * item.arrival - length
 
 
-def brackets(sample, samples, counts, length, sign):
-    """(turns, sample, sample, those beside) for every whole number that the count crosses between the two samples."""
+def brackets(sample, samples, counts, length, sign, last):
+    """(turns, sample, sample, those beside) for every whole number that the count crosses between the two samples.
+
+    Those beyond the last are not wanted.
+    """
     found = []
     for k in range(1, len(samples)):
-        found += between(samples, counts, k)
+        found += between(samples, counts, k, last)
     for k in range(1, len(samples) - 1):
         before, here, after = counts[k - 1 : k + 2]
-        if (before - here) * (after - here) > 0:
+        if (before - here) * (after - here) > 0 and here < last + 1:
             found += at_extremum(sample, samples[k - 1 : k + 2], (before, here, after), length, sign)
     return found
 
 
-def between(samples, counts, k):
-    """The whole numbers from the lower count of a sample and that before it up to, but not at, the higher one."""
+def between(samples, counts, k, last):
+    """The whole numbers from the lower count of a sample and that before it up to, but not at, the higher one.
+
+    None beyond the last, of which a long rod may have too many to list.
+    """
     low, high = (counts[k - 1], counts[k]) if counts[k - 1] < counts[k] else (counts[k], counts[k - 1])
-    turns = range(max(ceil(low), 0), max(ceil(high), 0))
+    turns = range(max(ceil(low), 0), max(ceil(min(high, last + 0.5)), 0))
     if not turns:
         return []
     near = 4 * (samples[k].place - samples[k - 1].place)

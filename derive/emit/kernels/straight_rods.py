@@ -32,11 +32,13 @@ def weak_rod(beta, eta, length, clamp_angle, field_angle):
     """The rod that is all but straight: θ″ is that of the clamp angle, to the square of rounding."""
     rod = Rod(beta, eta, length, clamp_angle, field_angle, 1, 0)
     lean = clamp_angle - field_angle
-    moment = beta * sin(clamp_angle) + eta * sin(lean) * cos(lean)
+    # Loads that are hardly numbers are numbers times the length.
+    force, magnet = beta * length, eta * length
+    bend = force * sin(clamp_angle) + magnet * sin(lean) * cos(lean)
+    energy = -(force * cos(clamp_angle) + magnet * cos(lean) * cos(lean) / 2)
     gamma = 2 * beta * cos(clamp_angle) + eta * cos(lean) * cos(lean)
-    tip = clamp_angle - moment * length * length / 2
     y, z = length * cos(clamp_angle), length * sin(clamp_angle)
-    return Equilibrium(tip, -moment * length, gamma, y, z, -gamma * length / 2, 0, rod, None)
+    return Equilibrium(clamp_angle - bend * length / 2, -bend, gamma, y, z, energy, 0, rod, None)
 
 
 def direction(rest):
