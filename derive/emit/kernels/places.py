@@ -33,7 +33,7 @@ def places(beta, eta, field_angle, length, piece):
 def grid(beta, eta, length, piece):
     """Places to begin with: near enough where the branches bend, and to where none of them is as short as the rod."""
     rounding = -log(epsilon())
-    slow = length * sqrt(beta + eta)
+    slow = (1 + 16 * epsilon()) * length * sqrt(beta + eta)  # of a very long rod rounding is more than the 6 below
     first = -2 * slow - 6 if piece.low_kind == "level" else -slow - 6
     first = min(first, -rounding) if piece.low_kind == "level" else first
     if piece.high_kind == "level":
