@@ -202,3 +202,15 @@ def test_a_sweep_beside_a_shoulder_is_as_fine_as_single_rods() -> None:
         for name in ("y", "z"):
             single = np.array([getattr(one, name) for one in found])
             assert abs(single - getattr(swept, name)[mine]).max() < 20 * ULP * rod[2], (name, rod)
+
+
+def test_a_field_all_but_along_a_force_that_is_hardly_weaker_is_as_one_along_it() -> None:
+    """The couple by which the second pair of directions is told is then far below rounding of the loads."""
+    rng = random.Random(4)
+    for case in range(40):
+        eta, angle = 1 + 10 ** rng.uniform(-9, 0), 10 ** rng.uniform(-46.5, -18)
+        length, beside = 10 ** rng.uniform(0.3, 1.3), pi + 10 ** rng.uniform(-6, -1)
+        clamp = rng.uniform(-3, 3) if case % 2 else beside
+        found, along = (all_equilibria(1.0, eta, length, clamp, field, None) for field in (angle, 0.0))
+        assert [one.index for one in found] == [one.index for one in along]
+        assert max(abs(one.y - other.y) for one, other in zip(found, along, strict=True)) < 1e-13 * length

@@ -91,11 +91,16 @@ def test_long_inclined_rods(seed: int) -> None:
 
 
 @pytest.mark.long
-def test_a_fold_is_not_decided_and_beside_it_there_are_two_more() -> None:
+def test_beside_a_fold_there_are_two_more_on_one_side() -> None:
     at = float(fold(PAPER, "eta", 0.00045, 2.2).value)
-    numbers = [count(replace(PAPER, eta=at * factor)) for factor in (1 - 1e-6, 1, 1 + 1e-6)]
-    assert numbers[1] is None
-    assert {numbers[0], numbers[2]} == {1, 3}
+    assert [count(replace(PAPER, eta=at * factor)) for factor in (1 - 1e-12, 1 + 1e-12)] == [1, 3]
+    # Once undecided, for both lengths change by more over a cell than the number does.
+    rod = Rod(37.21666501337881, 69.11666359627493, 1.0, 1.8216008035157254, -0.7311818863926778)
+    assert [count(replace(rod, clamp_angle=rod.clamp_angle + less)) for less in (-1e-10, 0)] == [5, 3]
+
+
+def test_on_the_astroid_nothing_is_told() -> None:
+    assert count(Rod(1.0, 2.0, 5.0, 1.0, pi / 4)) is None
 
 
 def test_times_are_those_of_the_motion() -> None:

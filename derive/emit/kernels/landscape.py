@@ -49,7 +49,9 @@ def oblique_landscape(beta, eta, field_angle):
 def has_second_pair(beta, eta, field_angle):
     """Whether the field is strong enough for a second hill and well."""
     lean = pick(field_angle > pi / 4, -less_quarters(field_angle, 1), field_angle)
-    return couple_beyond(beta, eta, lean, astroid_cusp(lean)) > 4 * epsilon() * (beta + eta)
+    cusp = astroid_cusp(lean)
+    # Beside the force the couple is as small as the sine, and so is its rounding.
+    return couple_beyond(beta, eta, lean, cusp) > 4 * epsilon() * (beta + eta) * sin(lean + cusp)
 
 
 def oblique_alone(eta, field_angle):
@@ -89,7 +91,8 @@ def with_shoulder(beta, eta, field_angle, scene):
     lean = pick(steep, -less_quarters(field_angle, 1), field_angle)
     cusp = astroid_cusp(lean)
     # Of the couple rounding may leave nothing, or less.
-    place, couple = lean + cusp, -larger(-couple_beyond(beta, eta, lean, cusp), epsilon() * (beta + eta))
+    place = lean + cusp
+    couple = -larger(-couple_beyond(beta, eta, lean, cusp), epsilon() * (beta + eta) * sin(place))
     stiffness = couple * cos(place) / sin(place)
     shoulder = Rest(2, place, 0, stiffness, cos(2 * cusp), sin(2 * cusp))
     if any_of(steep):

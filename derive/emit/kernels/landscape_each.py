@@ -2,7 +2,7 @@
 
 Emitted by `derive emit` from kernels/landscape.py: do not edit, change that file.
 
-Digest of the inputs: sha256 421d69a6b76cb5f1040f5bbbf33dd66a33916f0d15f4f8b65db59ff04d828f84
+Digest of the inputs: sha256 97f19411f4bfa78215e8d65df7ca1501912c208e27b016403861140db423f003
 """
 
 from __future__ import annotations
@@ -63,7 +63,9 @@ def oblique_landscape_each(beta, eta, field_angle):
 def has_second_pair_each(beta, eta, field_angle):
     """Whether the field is strong enough for a second hill and well."""
     lean = each_pick(field_angle > pi / 4, -each_less_quarters(field_angle, 1), field_angle)
-    return couple_beyond_each(beta, eta, lean, astroid_cusp_each(lean)) > 4 * epsilon() * (beta + eta)
+    cusp = astroid_cusp_each(lean)
+    # Beside the force the couple is as small as the sine, and so is its rounding.
+    return couple_beyond_each(beta, eta, lean, cusp) > 4 * epsilon() * (beta + eta) * each_sin(lean + cusp)
 
 
 def oblique_alone_each(eta, field_angle):
@@ -106,7 +108,8 @@ def with_shoulder_each(beta, eta, field_angle, scene):
     lean = each_pick(steep, -each_less_quarters(field_angle, 1), field_angle)
     cusp = astroid_cusp_each(lean)
     # Of the couple rounding may leave nothing, or less.
-    place, couple = lean + cusp, -larger(-couple_beyond_each(beta, eta, lean, cusp), epsilon() * (beta + eta))
+    place = lean + cusp
+    couple = -larger(-couple_beyond_each(beta, eta, lean, cusp), epsilon() * (beta + eta) * each_sin(place))
     stiffness = couple * each_cos(place) / each_sin(place)
     shoulder = Rest(2, place, 0, stiffness, each_cos(2 * cusp), each_sin(2 * cusp))
     if each_any_of(steep):

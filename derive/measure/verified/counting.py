@@ -59,8 +59,7 @@ def crossed(line: Line, length: arb) -> int:
 
     def floor(place: float) -> int:
         if place not in floors:
-            arrival, swing = times(line.well, line.path, place, place)
-            whole = ((length - arrival[0]) / swing[0]).floor().unique_fmpz()
+            whole = at_place(line, length, place).floor().unique_fmpz()
             if whole is None:
                 raise UndecidedError("whether a number of half-swings is whole is not told")
             floors[place] = int(whole)
@@ -92,4 +91,16 @@ def judged(line: Line, length: arb, low: float, high: float) -> str:
     if not number.contains_integer():
         return "empty"
     slope = arrival[1] + number * swing[1]
-    return "monotone" if slope > 0 or slope < 0 else "open"
+    if slope > 0 or slope < 0:
+        return "monotone"
+    # Beside a fold the number hardly changes, though both lengths do.
+    middle = (low + high) / 2
+    aside = arb(low).union(arb(high)) - middle
+    near = at_place(line, length, middle) - slope / swing[0] * aside
+    return "open" if near.contains_integer() else "empty"
+
+
+def at_place(line: Line, length: arb, place: float) -> arb:
+    """The number of half-swings at one place."""
+    arrival, swing = times(line.well, line.path, place, place)
+    return (length - arrival[0]) / swing[0]
