@@ -29,6 +29,10 @@ ATLAS = (
     (14.4, 21.599999999999998, 1.0, 1.8849555921538759, 0.3141592653589793, "angles beyond 4"),
     (14.4, 21.599999999999998, 1.0, -0.7853981633974483, 0.39269908169872414, "angles beyond 4"),
     (14.4, 21.599999999999998, 1.0, 1.8849555921538759, 0.9424777960769379, "angles beyond 4"),
+    (0.35, 0.52, 6.0, 3.141592653696066, 0.0, "clamped beside a hill from which it bends: its curvature"),
+    (0.35, 0.52, 6.0, 3.141592653483519, 0.0, "clamped beside a hill from which it bends: its curvature"),
+    (0.6, 0.0, 6.0, 3.1415926535886416, 0.0, "clamped beside a well from which it bends: its curvature"),
+    (14.4, 21.599999999999998, 1.0, 1.2566370614359172, -1.2566370614359172, "places of rods that turn back"),
 )
 
 # β, η, length, clamp, field angle of random rods that were off by more than a bound once, and what lost the digits.
