@@ -82,10 +82,10 @@ def test_the_numbers_are_those_of_shooting() -> None:
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", range(6))
 def test_long_inclined_rods(seed: int) -> None:
     rng = np.random.default_rng(seed)
-    share, slow = rng.uniform(), rng.uniform(10, 30)
+    share, slow = rng.uniform(), rng.uniform(10, 40)
     rod = Rod(slow**2 * share, slow**2 * (1 - share), 1.0, rng.uniform(-pi, pi), rng.uniform(-pi / 2, pi / 2))
     assert count(rod) == solved(rod)
 

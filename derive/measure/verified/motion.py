@@ -84,7 +84,7 @@ def ends(well: Well, energy: Series, balls: list[arb], centres: list[arb]) -> li
 
 
 def forms(potential: Potential, parts: list[Series]) -> list[Series]:
-    """A, B, C, sin D, u and w of the clamp.
+    """A, B, C, sin D, u and w of the clamp, and AC.
 
     |V′| over sin D is (A + C)/2 ± v₂′ sin D too, without a quotient, and (A + C)/2 M′ = v₂′ sin D D′, for V is the same
     at both turning points. These tell more of a motion of all but a turn.
@@ -101,7 +101,8 @@ def forms(potential: Potential, parts: list[Series]) -> list[Series]:
     one, two = potential.harmonics(middle)
     between = -2 * one * cosine - 4 * two * (1 + cosine * cosine)
     first, last = met(first / sine, mean + lean * sine), met(last / sine, mean - lean * sine)
-    return [first, between, last, sine, (-low / 2).sin(), (high / 2).sin()]
+    product = met(first * last, mean**2 - (lean * sine) ** 2)
+    return [first, between, last, sine, (-low / 2).sin(), (high / 2).sin(), product]
 
 
 def _ends(potential: Potential, middle: Series, cosine: Series) -> tuple[Series, Series]:
@@ -117,14 +118,14 @@ def met(one: Series, other: Series) -> Series:
 
 def halves(parts: list[Series]) -> list[Series]:
     """√(AC) and B + 2√(AC)."""
-    product = parts[0] * parts[2]
+    *_, product = parts
     positive(product)
     return [product.sqrt(), parts[1] + 2 * product.sqrt()]
 
 
 def ratios(parts: list[Series], up: bool) -> list[Series]:
     """The factor of R_F without κ/√(YZ), Bs/C, As²/C and s/C."""
-    first, between, last, sine, behind, ahead = parts
+    first, between, last, sine, behind, ahead, _ = parts
     if not up:
         first, last, behind, ahead = last, first, ahead, behind
     positive(last, behind)

@@ -56,12 +56,11 @@ class Well:
             angle = hill - sign * offset
             fall, slope = (top - self.potential.value(angle)).mid(), (sign * self.potential.slope(angle)).mid()
             low, high = (offset, high) if fall < goal else (low, offset)
-            before, offset = offset, ((low + high) / 2).mid()
-            if fall > 0 and slope > 0:
-                newton = (before - 2 * (fall - (fall * goal).sqrt()) / slope).mid()
-                offset = newton if low <= newton <= high else offset
-            if abs(offset - before) <= fine * offset:
+            newton = (offset - 2 * (fall - (fall * goal).sqrt()) / slope).mid() if fall > 0 and slope > 0 else low
+            # The last steps may lead out of the bracket by rounding.
+            if abs(newton - offset) <= fine * offset:
                 break
+            offset = newton if low < newton < high else ((low + high) / 2).mid()
         return self.checked(energy, side, offset)
 
     def checked(self, energy: arb, side: int, offset: arb) -> arb:
