@@ -3,9 +3,15 @@
 from __future__ import annotations
 
 from derive.emit.kernels.api import Shape, Sweep, equilibria
-from derive.emit.kernels.arguments import all_real, index_limit
-from derive.emit.kernels.arguments_mpmath import many_rods
-from derive.emit.kernels.block_records import element
+from derive.emit.kernels.arguments import (
+    Given,
+    all_not_negative,
+    all_positive,
+    all_real,
+    all_within_turns,
+    index_limit,
+)
+from derive.emit.kernels.arguments_mpmath import element, of_one_length
 from derive.emit.kernels.bounds import must_have_answer
 from derive.emit.kernels.literal import angle_and_position_literally
 from derive.emit.kernels.rods import Equilibrium, length_of
@@ -62,11 +68,14 @@ def sweep(beta, eta, length, clamp_angle, field_angle, *, max_index=None) -> Swe
 
     Raises TypeError or ValueError, naming the argument and the index of a bad value, before any work.
     """
-    given, limit = many_rods(beta, eta, length, clamp_angle, field_angle), index_limit(max_index)
-    rods = list(zip(*given, strict=True))
+    beta, eta, length = all_not_negative("beta", beta), all_not_negative("eta", eta), all_positive("length", length)
+    clamp_angle, field_angle = (
+        all_within_turns("clamp_angle", clamp_angle),
+        all_within_turns("field_angle", field_angle),
+    )
+    rods, limit = of_one_length(Given(beta, eta, length, clamp_angle, field_angle)), index_limit(max_index)
     for case in range(len(rods)):
-        force, magnet, extent = element(case, given.beta), element(case, given.eta), element(case, given.length)
-        must_have_answer(force, magnet, extent, limit)
+        must_have_answer(element(case, beta), element(case, eta), element(case, length), limit)
     found = [(case, item) for case, rod in enumerate(rods) for item in equilibria(*rod, max_index=limit)]
     return Sweep(
         [case for case, _ in found],

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from mpmath import mp
 
-from derive.emit.kernels.arguments import Given, integer, not_negative, positive
+from derive.emit.kernels.arguments import integer, not_negative, positive
 from derive.emit.kernels.arithmetic import real
 from derive.emit.kernels.bounds import within_turns
 
@@ -23,18 +23,8 @@ def digits(dps):
     return wanted
 
 
-def many_rods(beta, eta, length, clamp_angle, field_angle):
-    """The parameters of many rods as lists of one length; numbers are repeated.
-
-    TypeError or ValueError names the first argument that cannot be, and the index of its first bad value.
-    """
-    given = Given(
-        all_not_negative("beta", beta),
-        all_not_negative("eta", eta),
-        all_positive("length", length),
-        all_within_turns("clamp_angle", clamp_angle),
-        all_within_turns("field_angle", field_angle),
-    )
+def of_one_length(given):
+    """The rods, a tuple of parameters for each; numbers are repeated. ValueError where sequences differ in length."""
     lengths = {len(part) for part in given if isinstance(part, list)}
     if len(lengths - {1}) > 1:
         sizes = [
@@ -43,8 +33,14 @@ def many_rods(beta, eta, length, clamp_angle, field_angle):
         raise ValueError(f"sequences must have one length: their lengths are {', '.join(sizes)}")
     rows = 1 if not lengths or lengths == {1} else max(lengths - {1})
     columns = [part if isinstance(part, list) else [part] for part in given]
-    parts = [column * rows if len(column) == 1 else column for column in columns]
-    return Given(*parts)
+    return list(zip(*(column * rows if len(column) == 1 else column for column in columns), strict=True))
+
+
+def element(case, values):
+    """A parameter of one rod, of a number or a list; what is folded stays as it is."""
+    if not isinstance(values, list):
+        return values
+    return values[case % len(values)]
 
 
 def all_not_negative(name, values):

@@ -79,15 +79,16 @@ def steps(beta, soonest, length, low, high):
 def sharpened(at, mark):
     """The extremum where its length is the rod's, by Newton's method: η then has no error of its own.
 
-    A step squares the error, so after one below the root of rounding there is none left.
+    A step squares the error, so after one below the root of rounding there is none left; but not the first, for the
+    extremum may have been found in few digits.
     """
+    mark = nearest(at(mark.rod.eta, mark.key), mark.key, mark.spot) or mark
     step, least = inf, sqrt(epsilon()) * (mark.rod.beta + mark.rod.eta)
     while abs(step) > least:
         last, step = step, mark.height / mark.slope
-        better = nearest(at(mark.rod.eta - step, mark.key), mark.key, mark.spot)
-        if better is None or 2 * abs(step) > abs(last):  # beside an exchange there is no slope to tell more
+        if 2 * abs(step) > abs(last):  # beside an exchange there is no slope to tell more
             return mark
-        mark = better
+        mark = nearest(at(mark.rod.eta - step, mark.key), mark.key, mark.spot) or mark
     return mark
 
 
