@@ -10,21 +10,23 @@ Formulas, each proved equal to its derivation:
     arc_square (DLMF 19.29(ii)), arc_square_each (DLMF 19.29(ii)), arc_y (exsl36), arc_y_each (exsl36),
     arc_z (exsl41), arc_z_each (exsl41), chi_square (DLMF 4.21(iii)), chi_square_each (DLMF 4.21(iii)),
     far_pair_root, far_pair_root_each, far_root, far_root_each, gauss_gap (DLMF 19.8(i)),
-    gauss_gap_each (DLMF 19.8(i)), gauss_rest (DLMF 19.8(iii)), gauss_rest_each (DLMF 19.8(iii)),
-    gauss_square (DLMF 19.8(iii)), gauss_square_each (DLMF 19.8(iii)), half_rest (DLMF 22.6(iii)),
-    half_rest_beyond (DLMF 22.6(iii)), half_rest_beyond_each (DLMF 22.6(iii)), half_rest_each (DLMF 22.6(iii)),
-    half_square (DLMF 22.6(iii)), half_square_beyond (DLMF 22.6(iii)), half_square_beyond_each (DLMF 22.6(iii)),
-    half_square_each (DLMF 22.6(iii)), lag_step (DLMF 19.8(iii)), lag_step_each (DLMF 19.8(iii)), others_product,
-    others_product_each, others_sum, others_sum_each, pair_lift, pair_lift_each, pair_root, pair_root_each,
-    pair_root_sum (DLMF 19.26(iii)), pair_root_sum_each (DLMF 19.26(iii)), phase_bend (DLMF 19.8(iii)),
-    phase_bend_each (DLMF 19.8(iii)), phase_lead, phase_lead_each, phase_rate (DLMF 19.2.4),
-    phase_rate_each (DLMF 19.2.4), phase_sum, phase_sum_each, point_near, point_near_each, point_pole (exsl22),
-    point_pole_each (exsl22), rest_fall, rest_fall_each, rest_moment, rest_moment_each, rest_stiffness,
-    rest_stiffness_each, rj_delta_imag (DLMF 19.26(iii)), rj_delta_imag_each (DLMF 19.26(iii)),
-    rj_delta_real (DLMF 19.26(iii)), rj_delta_real_each (DLMF 19.26(iii)), shot_bend, shot_bend_each,
-    strength (exsl17), strength_each (exsl17), tip_cubic, tip_cubic_each, w_imag (DLMF 19.29(ii)),
-    w_imag_each (DLMF 19.29(ii)), w_real (DLMF 19.29(ii)), w_real_each (DLMF 19.29(ii))
-Digest of the inputs: sha256 f897443594fdf2229e21ab2446ef624e5b4b59bea284d333243fff904dbdc119
+    gauss_gap_each (DLMF 19.8(i)), gauss_less (DLMF 19.8(iii)), gauss_rest (DLMF 19.8(iii)),
+    gauss_rest_each (DLMF 19.8(iii)), gauss_square (DLMF 19.8(iii)), gauss_square_each (DLMF 19.8(iii)),
+    half_rest (DLMF 22.6(iii)), half_rest_beyond (DLMF 22.6(iii)), half_rest_beyond_each (DLMF 22.6(iii)),
+    half_rest_each (DLMF 22.6(iii)), half_square (DLMF 22.6(iii)), half_square_beyond (DLMF 22.6(iii)),
+    half_square_beyond_each (DLMF 22.6(iii)), half_square_each (DLMF 22.6(iii)), lag_step (DLMF 19.8(iii)),
+    lag_step_each (DLMF 19.8(iii)), landen_less (DLMF 19.8(ii)), landen_root (DLMF 19.2.4),
+    landen_tangent (DLMF 19.8(ii)), others_product, others_product_each, others_sum, others_sum_each, pair_lift,
+    pair_lift_each, pair_root, pair_root_each, pair_root_sum (DLMF 19.26(iii)),
+    pair_root_sum_each (DLMF 19.26(iii)), phase_bend (DLMF 19.8(iii)), phase_bend_each (DLMF 19.8(iii)),
+    phase_lead, phase_lead_each, phase_rate (DLMF 19.2.4), phase_rate_each (DLMF 19.2.4), phase_sum,
+    phase_sum_each, point_near, point_near_each, point_pole (exsl22), point_pole_each (exsl22), rest_fall,
+    rest_fall_each, rest_moment, rest_moment_each, rest_stiffness, rest_stiffness_each,
+    rj_delta_imag (DLMF 19.26(iii)), rj_delta_imag_each (DLMF 19.26(iii)), rj_delta_real (DLMF 19.26(iii)),
+    rj_delta_real_each (DLMF 19.26(iii)), shot_bend, shot_bend_each, stiffness_beside, strength (exsl17),
+    strength_each (exsl17), tangent_exchanged (DLMF 22.17(i)), tip_cubic, tip_cubic_each, turn_speed (exsl8),
+    w_imag (DLMF 19.29(ii)), w_imag_each (DLMF 19.29(ii)), w_real (DLMF 19.29(ii)), w_real_each (DLMF 19.29(ii))
+Digest of the inputs: sha256 68f16932c00f217a108101864dfa0a709b575c9c087a2f19cc4de76935299807
 """
 
 from __future__ import annotations
@@ -34,8 +36,28 @@ from cmath import log as complex_log
 from cmath import sqrt as complex_sqrt
 from collections import namedtuple
 from collections.abc import Iterable
+from functools import cache
 from itertools import pairwise
-from math import asin, atan2, ceil, cos, exp, floor, frexp, hypot, inf, isfinite, ldexp, log, pi, prod, sin, sqrt
+from math import (
+    asin,
+    asinh,
+    atan,
+    atan2,
+    ceil,
+    cos,
+    exp,
+    floor,
+    frexp,
+    hypot,
+    inf,
+    isfinite,
+    ldexp,
+    log,
+    pi,
+    prod,
+    sin,
+    sqrt,
+)
 from operator import index
 from typing import Any
 
@@ -45,14 +67,19 @@ __all__ = ["Equilibrium", "Exchange", "Fold", "Sweep", "equilibria", "exchanges"
 
 # Constants
 
+COUNTED = 2**53  # an index beyond is none that a rod has, and no double
+LARGEST = 2.0**1020
+MANY = 100_000  # equilibria of one rod: half a minute, and half a gigabyte
 SHORT_SLOW = 1.4 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
 LEVEL = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
+SHOT_SERIES_SLOW = 0.6  # ℓ√(β + η) up to which the series of ℘ is right to 3e-13
 REACH = 1e-3  # by how much more than a bound tips are looked for
 SLACK = 0.02  # by how much more than the bound samples must be apart for that
 CLOSEST = 2.0**-26  # least distance of samples, as a share of how far a tip may be from the clamp angle
 UNSURE = 1e-10  # as a share of the same, what is missed of which the hundredth part may be wrong
-ALIKE = 1e-14  # as ``UNSURE``, what rounding may have made of zero
+ALIKE = 4e-16  # as ``UNSURE``, what rounding may have made of zero
 DEEP = 30  # places beyond which tips are told by other means
+APART = 0.7  # the quotient of the rates below which Landen's steps are the smaller ones: 1/√2
 WITHIN = 2  # spacings of the length to which time maps are right
 TRIES = 24
 NEAR = 0.5  # how far a tip may be from where it was aimed, as a difference of places
@@ -62,13 +89,14 @@ NEAREST = 0.3  # about the least distance of places between which a branch may h
 BLOCK = 8192  # rods at once
 FEWEST = 16  # rods that are faster on arrays than one by one
 SLOWEST = 250.0  # ℓ√(β + η) from which offsets would be too small for their squares
-SHOT_SLOW = 1.4 * pi  # ℓ√(β + η) up to which this takes less time than samples of ranges
+BLURRED = 4  # roundings of the clamp angle within which directions are taken for it
+SHOT_SLOW = 1.49 * pi  # ℓ√(β + η) up to which the index is known (``block_short``); soon samples are too many
 STRAIGHT = 1e-9  # a couple at the clamp times the length squared from which rods are not nearly straight
-ROUGH_BLUR = 1e-3  # what is missed is right to half of that in single precision (docs/solver.md)
+ROUGH_BLUR = 5e-4  # what is missed is right to half of that in single precision (docs/solver.md)
 ROUGH_SHOT = 1.2 * pi  # ℓ√(β + η) from which only to
-WIDER = 6.0  # times as much
+WIDER = 16.0  # times as much
 ROUGH_HALVINGS = 2  # of spans in single precision
-BLUR = 2e-11  # the same in double precision, on all
+BLUR = 1.5e-11  # the same in double precision, on all
 SPAN_HALVINGS = 18  # of the rest
 EVEN = 3.0  # step between tips, over the steepest slope
 SHOTS = 512  # rods at once
@@ -78,17 +106,18 @@ MOVING = 1e-6  # a step after which another one is not yet as small as rounding
 AIMS = 4  # steps towards a zero
 AIM_SPREAD = 1e-6  # distance of two shares from which they tell a slope
 AGAIN = 4  # as often for those that are still far
+SETTLINGS = 8  # steps to rounding; of most tips the first two suffice
+SECANT_SPREAD = 1e-9  # distance of two shares from which they tell a slope better than it is known already
+SETTLED = 2.0**-43  # as a share of the reach, what is missed where two more steps leave nothing but rounding
+VALUES = 8192  # points of rods at once: arrays that stay in the cache
+POINTS_PER = 8.9  # points for each unit of ℓ√(β + η), and
+POINTS_MORE = 2.8  # as many more, which leave out less than 2⁻⁵³ of the integral (docs/solver.md)
+REFINED = 4  # Newton's steps to a root of a Legendre polynomial: of the last one the weight would show half the digits
+SERIES_END = 0.3  # σ√(β + η) up to which the series of ℘(σ) is right to rounding: no less than 1.49π/16
 NEARLY = 0.3  # how far η may be below the value at which a ridge appears, and still slow motions down, over β + η
 SHARP = 0.01  # the same from which on the dips are too narrow for the samples here
 SURELY = 1e-5  # bounds count where they hold by this much more than they must
 ROUGH_SLOW = 12  # ℓ√(β + η) up to which single precision holds the places of all tips but the most extreme
-SHOT_EASE = 7  # the same where tips are known nearly, and only near folds take more than a few steps
-STEPS = 3  # rough steps, after which most places are right to single precision
-SPREAD = 2.0**-9  # distance of two places from which they tell the slope of a branch in single precision
-EASE = 2  # how often the rounding that is taken for none is doubled: times of long rods have more of it
-TOLD = 1e-10  # change of a place from which the change of a length tells the slope
-NOISE = 3  # roundings of the length that the times may have of their own
-HITS = 0  # as ``SECANTS``, for tips that are known nearly to rounding
 HALVINGS = 4  # of the stretch at the low end in which no motion arrives in time
 LATEST = 12.0  # places beyond which a count is its limit, but for the doubts of a hundred thousandth of all ranges
 SMALLEST = 1e-30  # instead of less, where it is divided by
@@ -96,17 +125,27 @@ ROUGH_DEPTH = 28.0  # places up to which squares of offsets are numbers in singl
 RANGES = 1024  # ranges at once: arrays that stay in the cache
 AROUND = np.concatenate([-0.5 ** np.arange(13), [0], 0.5 ** np.arange(12, -1, -1)])  # places about a dip
 FINER = np.linspace(0, 1, 17)  # shares of the way from one sample to the next but one
+STEPS = 3  # rough steps, after which most places are right to single precision
+SPREAD = 2.0**-9  # distance of two places from which they tell the slope of a branch in single precision
+TOLD = 1e-10  # change of a place from which the change of a length tells the slope
 SECANTS = 2  # evaluations before any place is looked at for being right to rounding: next to none is
+EASE = 2  # how often the rounding that is taken for none is doubled: times of long rods have more of it
+NOISE = 3  # roundings of the length that the times may have of their own
 WIDE = 0.75  # first step between samples
 CLOSER = 0.25  # the same where those leave a doubt
+RESTING = 0.07  # θ″ over β + η up to which a motion that ends there loses more than a few roundings without that
+ASIDE = 0.7  # how far from a shoulder the end of a motion may be and be told better from there
 LAST = 100  # beyond the rank of any range
+FOLDS_SLOWEST = 1000  # ℓ√(β + η) to which folds are searched for: hundreds of them, in minutes
 WINDOW = 0.5
 FINEST = 0.4
 ROUGH = 0.02
 FURTHEST = 3
 LEAP = 1e-5
 LEAST = 1e-12
+EXCHANGES_SLOWEST = 100  # the same for exchanges, a search for folds at each of many forces
 CLOSE = 1e-3
+FORCES = 20  # forces in a range by whose ends loads differ by a factor e
 
 
 # Special functions
@@ -295,6 +334,11 @@ def each_arc_excess(x):
     return np.where(x > 1, x - each_sin(x), x * square / 6 * share)
 
 
+def roughly(work):
+    """What some work gives, where a few digits of it will do: doubles have no fewer."""
+    return work()
+
+
 # Formulas, as derived
 
 
@@ -304,21 +348,6 @@ def shot_bend(beta, eta, growth):
     Proved as swing.shot_bend.
     """
     return growth * (beta + 2 * eta) * (3 + growth) / (3 * beta + 3 * eta)
-
-
-def rest_moment(eta, stiffness, double_cosine, double_sine, sine, cosine):
-    """θ″ at an offset from a direction without moment, by the sine and cosine of half the offset.
-
-    Proved as swing.rest_moment.
-    """
-    return (
-        2
-        * sine
-        * (
-            cosine * (stiffness - 2 * eta * double_cosine * sine * sine)
-            - 0.5 * eta * double_sine * sine * (3 - 4 * sine * sine)
-        )
-    )
 
 
 def rest_fall(eta, stiffness, double_cosine, double_sine, middle_sine, middle_cosine, half_sine, half_cosine):
@@ -407,34 +436,96 @@ def half_rest_beyond(end, middle, square, tilt, delta):
     return square * middle * middle / ((delta + end * tilt) * (end + delta))
 
 
-def phase_rate(first, second, square, rest):
-    """Δ = √(a² cos²ψ + b² sin²ψ), dψ/dσ.
+def tangent_exchanged(first, second, tan_phase):
+    """Tan ψ of the same length where a and b are exchanged.
 
-    Equation DLMF 19.2.4; proved as swing.phase_rate.
+    Equation DLMF 22.17(i); proved as swing.tangent_exchanged.
     """
-    return sqrt(rest * first * first + square * second * second)
+    return second * tan_phase / first
 
 
-def gauss_square(square, total, below):
-    """sin²ψ′ of Gauss's step, which keeps the integral: a′ = (a + b)/2, b′ = √(ab); total = a + b, below = a + Δ.
+def gauss_gap(gap, total):
+    """a′ − b′ after Gauss's step, by gap = a − b and total = a′ + b′.
 
-    Equation DLMF 19.8(iii); proved as swing.gauss_square.
+    Equation DLMF 19.8(i); proved as swing.gauss_gap.
     """
-    return square * total * total / (below * below)
+    return 0.25 * gap * gap / total
 
 
-def gauss_rest(first, second, square, rest, delta, below):
-    """cos²ψ′ of Gauss's step, without a difference; below = a + Δ.
+def gauss_less(share, root, other_root):
+    """by what share tan²ψ is less after Gauss's step, by root = √(1 + tan²ψ) and other_root = √(1 + (b/a)² tan²ψ).
 
-    Equation DLMF 19.8(iii); proved as swing.gauss_rest.
+    Equation DLMF 19.8(iii); proved as swing.gauss_less.
+    """
+    return (
+        0.5
+        * share
+        * (
+            1
+            + root
+            * (2 - share)
+            * ((1 - share) ** 2 + other_root * other_root)
+            / ((other_root + root * (1 - share) ** 2) * (1 + root * other_root))
+        )
+    )
+
+
+def landen_root(bent):
+    """√(a² + b² tan²ψ)/a.
+
+    Equation DLMF 19.2.4; proved as swing.landen_root.
+    """
+    return sqrt(1 + bent * bent)
+
+
+def landen_less(share, bent, root):
+    """by what share tan ψ is less after Landen's step.
+
+    Equation DLMF 19.8(ii); proved as swing.landen_less.
+    """
+    return (share + bent * bent / (1 + root)) / (1 + root)
+
+
+def landen_tangent(share, tan_phase, root):
+    """Tan ψ after Landen's step.
+
+    Equation DLMF 19.8(ii); proved as swing.landen_tangent.
+    """
+    return tan_phase * (2 - share) / (1 + root)
+
+
+def rest_moment(eta, stiffness, double_cosine, double_sine, sine, cosine):
+    """θ″ at an offset from a direction without moment, by the sine and cosine of half the offset.
+
+    Proved as swing.rest_moment.
     """
     return (
         2
-        * first
-        * rest
-        * (first + (first * first + square * second * second) / (delta + second * square))
-        / (below * below)
+        * sine
+        * (
+            cosine * (stiffness - 2 * eta * double_cosine * sine * sine)
+            - 0.5 * eta * double_sine * sine * (3 - 4 * sine * sine)
+        )
     )
+
+
+def stiffness_beside(eta, stiffness, double_cosine, double_sine, sine, cosine):
+    """dθ″/dθ at an offset from a direction without moment, by the sine and cosine of half the offset.
+
+    Proved as swing.stiffness_beside.
+    """
+    return (
+        stiffness * (1 - 2 * sine * sine)
+        - eta * sine * (2 * double_cosine * sine * (3 - 4 * sine * sine) + double_sine * cosine * (3 - 8 * sine * sine))
+    )
+
+
+def turn_speed(sine, done_sine, left_sine, whole, rate):
+    """|θ_σ| by the phase's sum and the rate of χ over that at the turning points.
+
+    Equation exsl8; proved as swing.turn_speed.
+    """
+    return whole * rate * sqrt(2) * sqrt(done_sine * left_sine) / sine
 
 
 def far_root(near, cosine):
@@ -517,6 +608,14 @@ def tip_cubic(beta, eta, sine, double_sine):
     return beta * sine - 0.5 * eta * double_sine
 
 
+def phase_rate(first, second, square, rest):
+    """Δ = √(a² cos²ψ + b² sin²ψ), dψ/dσ.
+
+    Equation DLMF 19.2.4; proved as swing.phase_rate.
+    """
+    return sqrt(rest * first * first + square * second * second)
+
+
 def others_sum(q, root):
     """ê₂ + ê₃ by ê₁.
 
@@ -561,6 +660,28 @@ def arc_kink_tip(first, delta, across, b, pole, root, others_sum, others_product
     )
 
 
+def gauss_square(square, total, below):
+    """sin²ψ′ of Gauss's step, which keeps the integral: a′ = (a + b)/2, b′ = √(ab); total = a + b, below = a + Δ.
+
+    Equation DLMF 19.8(iii); proved as swing.gauss_square.
+    """
+    return square * total * total / (below * below)
+
+
+def gauss_rest(first, second, square, rest, delta, below):
+    """cos²ψ′ of Gauss's step, without a difference; below = a + Δ.
+
+    Equation DLMF 19.8(iii); proved as swing.gauss_rest.
+    """
+    return (
+        2
+        * first
+        * rest
+        * (first + (first * first + square * second * second) / (delta + second * square))
+        / (below * below)
+    )
+
+
 def phase_bend(share, first_share, square, rest, across, delta):
     """kS′τ′/(1 + kS′) after Gauss's step, by k = (a − b)/(a + b) and 1 + k; τ = sin ψ cos ψ/Δ.
 
@@ -575,14 +696,6 @@ def lag_step(bend, share, second_share, square, rest):
     Equation DLMF 19.8(iii); proved as swing.lag_step.
     """
     return bend * share * rest / (rest + second_share * square)
-
-
-def gauss_gap(gap, total):
-    """a′ − b′ after Gauss's step, by gap = a − b and total = a′ + b′.
-
-    Equation DLMF 19.8(i); proved as swing.gauss_gap.
-    """
-    return 0.25 * gap * gap / total
 
 
 def arc_square(beta, first, second, root, y_apart, kink, turned, lag):
@@ -604,22 +717,6 @@ def strength(moment_there):
     Equation exsl17; proved as swing.strength.
     """
     return 0.25 * moment_there
-
-
-def point_pole(b, sine, cosine):
-    """x = ℘ − c by the sine and cosine of δ/2, or any two numbers in their ratio.
-
-    Equation exsl22; proved as swing.point_pole.
-    """
-    return b * cosine / sine
-
-
-def far_pair_root(end):
-    """√X₂√X₃ at the far turning point, by the rate of χ there.
-
-    Proved as swing.far_pair_root.
-    """
-    return 0.25 * end * end
 
 
 def point_near(b, sine, done_sine, left_sine):
@@ -644,6 +741,22 @@ def pair_root_sum(square, delta):
     Equation DLMF 19.26(iii); proved as swing.pair_root_sum.
     """
     return 2 * delta / sqrt(square)
+
+
+def point_pole(b, sine, cosine):
+    """x = ℘ − c by the sine and cosine of δ/2, or any two numbers in their ratio.
+
+    Equation exsl22; proved as swing.point_pole.
+    """
+    return b * cosine / sine
+
+
+def far_pair_root(end):
+    """√X₂√X₃ at the far turning point, by the rate of χ there.
+
+    Proved as swing.far_pair_root.
+    """
+    return 0.25 * end * end
 
 
 def shot_bend_each(beta, eta, growth):
@@ -1131,14 +1244,91 @@ def not_negative(name: str, value: object) -> float:
     return abs(number)  # no negative zero
 
 
+def integer(name: str, value: Any) -> int:
+    """An integer that is no truth value, or an error that names the argument."""
+    try:
+        number = None if isinstance(value, bool) else index(value)
+    except TypeError:
+        number = None
+    if number is None:
+        raise TypeError(f"{name} must be None or an integer, got {value!r}")
+    return number
+
+
+def index_limit(max_index):
+    """The largest index of equilibria that are wanted: None for no limit, or an integer ≥ 0."""
+    if max_index is None:
+        return None
+    limit = integer("max_index", max_index)
+    if limit < 0:
+        raise ValueError(f"max_index must not be negative, got {max_index!r}")
+    return min(limit, COUNTED)
+
+
+def too_large(beta, eta):
+    """Whether γ, the energy or a place is too large: of numbers or of arrays."""
+    load = beta + eta
+    return (load > LARGEST) | (load * 80.0 > LARGEST) | (80.0 > LARGEST)
+
+
+def briefly(number):
+    """A number in a few digits."""
+    return f"{float(number):.3g}"
+
+
+def refused(loads, why):
+    """The error of a rod that is refused."""
+    given = ", ".join(f"{name} = {briefly(value)}" for name, value in zip(loads._fields, loads, strict=True))
+    return ValueError(f"{given}: {why}")
+
+
+class Loads(Record):
+    """What tells how long a rod is for its stiffness."""
+
+    __slots__ = ()
+
+    beta: Any
+    eta: Any
+
+
+def must_be_finite(beta, eta):
+    """ValueError where γ, the energy or a place would be too large for a number."""
+    if too_large(beta, eta):
+        why = "γ, the energy or a place is too large for a double; choose another unit of length"
+        raise refused(Loads((beta, eta)), why)
+
+
+def too_many(beta, eta, most):
+    """Whether more equilibria are wanted than are found at once: of numbers or of arrays.
+
+    No index is more than ℓ√(β + η)/π by more than one (Sturm), and about two equilibria have the same.
+    """
+    half, least = MANY / 2, pi * MANY / 2
+    return ((beta + eta) * 80.0 * 80.0 > least * least) & (most is None or most >= half)
+
+
+def must_have_answer(beta, eta, most):
+    """ValueError where numbers of the answer would be too large, or there are too many equilibria to find them all.
+
+    most: the largest index that is wanted, or None for all.
+    """
+    must_be_finite(beta, eta)
+    if too_many(beta, eta, most):
+        slow = 80.0 * sqrt(beta + eta)
+        why = f"ℓ√(β + η) = {briefly(slow)}, so some {briefly(2 * slow / pi)} equilibria have indices up to half that"
+        raise ValueError(f"max_index must be given here, and be less than {MANY // 2}: {why}")
+
+
 def weak_rod(beta, eta):
     """The rod that is all but straight: θ″ is that of the clamp angle, to the square of rounding."""
     rod = Rod((beta, eta, 80.0, 0.75 * pi, 1, 0))
-    moment = beta * sin(0.75 * pi) + eta * sin(0.75 * pi) * cos(0.75 * pi)
+    # Loads that are hardly numbers are numbers times the length.
+    force, magnet = beta * 80.0, eta * 80.0
+    bend = force * sin(0.75 * pi) + magnet * sin(0.75 * pi) * cos(0.75 * pi)
+    energy = -(force * cos(0.75 * pi) + magnet * cos(0.75 * pi) * cos(0.75 * pi) / 2)
     gamma = 2 * beta * cos(0.75 * pi) + eta * cos(0.75 * pi) * cos(0.75 * pi)
-    tip = 0.75 * pi - moment * 80.0 * 80.0 / 2
     y, z = 80.0 * cos(0.75 * pi), 80.0 * sin(0.75 * pi)
-    return Equilibrium((tip, -moment * 80.0, gamma, y, z, -gamma * 80.0 / 2, 0, rod, None))
+    return Equilibrium((0.75 * pi - bend * 80.0 / 2, -bend, gamma, y, z, energy, 0, rod, None))
 
 
 class Rest(Record):
@@ -1231,6 +1421,11 @@ def offset_from(rest, angle, turns):
     return 0 if (abs(offset) <= blur) | (abs(offset) < (2.0**-52) ** 9) else offset
 
 
+def turn_to(start, end):
+    """The angle from one direction without moment to another, however near they are to each other."""
+    return (end.quarters - start.quarters) * (pi / 2) + (end.extra - start.extra)
+
+
 class Clamp(Record):
     """The clamp angle in a landscape: whole turns, and its offset from each direction without moment."""
 
@@ -1249,28 +1444,95 @@ def clamp_in(rests, angle):
         if shift == 0:
             break
         turns = turns + shift
+    # One that counts as a direction without moment is as far from the others as that is.
+    for there, met in zip(rests, offsets, strict=True):
+        if met == 0:
+            apart = zip(rests, offsets, strict=True)
+            offsets = tuple(turn_to(rest, there) if met == 0 else offset for rest, offset in apart)
     return Clamp((turns, offsets))
 
 
-def miss_of(beta, eta, clamp_angle, offset):
-    """The angle at arc length 0 of a motion from a tip at an offset from the clamp angle, less the clamp angle.
+def mirrored_clamp(scene, other, clamp, mirrored):
+    """The clamp seen from the other side of the y axis, in the landscape there; mirrored: the clamp angle there."""
+    if clamp.offsets[0] > 0 and other.rests[0].angle == -scene.rests[0].angle:  # number by number the same
+        return Clamp((-1 - clamp.turns, tuple([-offset for offset in clamp.offsets[::-1]])))
+    return clamp_in(other.rests, mirrored)
 
-    The rod's length is 1.
+
+def ridge_fall(beta, eta, hill, ridge):
+    """V(hill) − V(ridge): the sine of half their distance times the slope of V between, as if it were a circle."""
+    half, middle = (ridge.extra - hill.extra) / 2, pi / 2 + (hill.extra + ridge.extra) / 2
+    return cos(half) * (2 * beta * sin(middle) - eta * sin(half) * sin(2 * middle))
+
+
+class Ridge(Record):
+    """A ridge that is lower than the hill; all are 0 where none is.
+
+    drop: V(hill) − V(ridge). level: from the hill to the level of the ridge, depth: from there to the well; by_hill:
+    level is told by the hill, depth by the well if not.
     """
-    tip = clamp_angle + offset
-    double = 2 * tip
-    along, across, half = beta * cos(tip), beta * sin(tip), eta / 2 * sin(double)
-    p, m, q = across + half, across - half, along + eta * cos(double)
-    quarter, c = p * m / 4, q / 12
-    g2, g3 = q * c - quarter, (quarter - q * q / 18) * c - along * p * p / 16
-    # ℘(1) by the series at 1/8 and three doublings.
-    a, b, fourth, twice = g2 / 81920, g3 / 7340032, g2 / 4, 2 * g3
-    value = 64 * (1 + a + b + a * a / 3 + a * b * (3 / 11) + (2 * a * a * a / 3 + b * b) / 13)
-    for _ in range(3):
-        squared = value * value
-        above = squared + fourth
-        value = (above * above + twice * value) / (value * (4 * squared - g2) - g3)
-    return offset + 2 * atan2(p / 4, value - c)
+
+    __slots__ = ()
+
+    drop: float
+    level: float
+    depth: float
+    by_hill: bool
+
+
+def ridge_along(beta, eta, drop):
+    """The ridge for a field along the force: with cos θ = 1 − 2β/η at its level, and −β/η at the well."""
+    more, less, root = sqrt(eta + beta), eta - beta, sqrt(beta)
+    level = 2 * atan2(root, sqrt(less))
+    # tan of half the difference of the two.
+    depth = 2 * atan2(eta * sqrt(less), (more + root) * (less + root * more))
+    return Ridge((drop, level, depth, level < depth))
+
+
+def ridge_at(beta, eta, drop):
+    """The ridge that is lower by ``drop`` than the hill."""
+    return ridge_along(beta, eta, drop)
+
+
+def ridge_of(beta, eta, scene):
+    """The ridge of a landscape, seen from its first hill."""
+    drop = 0
+    if len(scene.rests) != 3 and not scene.level:
+        drop = ridge_fall(beta, eta, scene.rests[0], scene.rests[2])
+    # A ridge lower by less than this would be passed only from within its square root of the hill.
+    if drop <= (2.0 ** (-52)) ** 17 * (beta + eta):
+        return Ridge((0, 0, 0, True))
+    return ridge_at(beta, eta, drop)
+
+
+def miss_of(beta, eta, clamp_angle, slow):
+    """The angle at arc length 0 of a motion from a tip, less the clamp angle: a function of the tip's offset from it.
+
+    The rod's length is 1; slow: √(β + η).
+    """
+    # ℘ by its series on a part of the rod, and by as many doublings as make that the whole.
+    doublings, share = 0, 1.0
+    while slow * share > SHOT_SERIES_SLOW:
+        doublings, share = doublings + 1, share / 2
+    force, field, steps = beta * share * share, eta * share * share, range(doublings)
+
+    def missed(offset):
+        tip = clamp_angle + offset
+        double = 2 * tip
+        across, half = force * sin(tip), field / 2 * sin(double)
+        along, p, quarter = force * cos(tip), across + half, (across - half) * (across + half) / 4
+        c = (along + field * cos(double)) / 12
+        square = c * c
+        g2, g3 = 12 * square - quarter, (quarter - 8 * square) * c - along * p * p / 16
+        a, b, fourth, twice = g2 / 20, g3 / 28, g2 / 4, 2 * g3
+        value = 1 + a * (1 + a * (1 / 3 + a * (2 / 39)) + b * (3 / 11 + a * (2 / 33))) + b * (1 + b / 13)
+        for _ in steps:
+            squared = value * value
+            above = squared + fourth
+            value = (above * above + twice * value) / (value * (4 * squared - g2) - g3)
+        return offset + 2 * atan2(p / 4, value - c)
+
+    return missed
 
 
 def samples_apart(function, reach, sag):
@@ -1280,16 +1542,16 @@ def samples_apart(function, reach, sag):
     of zero it has none between if the sum of their square roots is more than the width times √sag; and where their
     sum is more than sag·width² it rises or falls all the way.
     """
-    places, values = [-reach], [function(-reach)]
-    todo, bound = [(reach, function(reach))], (1 + SLACK) * sag
+    before, start, bound = -reach, function(-reach), (1 + SLACK) * sag
+    places, values, todo = [before], [start], [(reach, function(reach)), (0, function(0))]
     while todo:
         place, value = todo[-1]
-        before, width = values[-1], place - places[-1]
-        apart = abs(value - before) if (value > 0) != (before > 0) else abs(value + before) + 2 * sqrt(value * before)
+        width, both = place - before, value * start
+        apart = abs(value - start) if both < 0 else abs(value + start) + 2 * sqrt(both)
         if apart > bound * width * width:
             places.append(place)
             values.append(value)
-            todo.pop()
+            before, start = todo.pop()
         elif width < CLOSEST * reach:
             return None
         else:
@@ -1307,38 +1569,48 @@ class Shot(Record):
     rate: float
 
 
-def smooth_root(function, low, high, value_low, value_high, blur):
-    """A zero of a function that rises or falls all the way between two places, and its slope there, by secants.
+def smooth_root(function, places, values, sag, blur):
+    """A zero of a function that rises or falls all the way between the first two places, and its slope there.
 
-    Where the function is cheap and all but straight these take less time than polynomials. blur: a value that rounding
-    may have made of zero; values that differ by less than a thousand of it tell no slope.
+    By the zero of the parabola through the last three; where the function is cheap and all but straight that takes less
+    time than ``bracketed_root``. sag: half of what |f″| is nowhere more than. blur: a value that rounding may have made
+    of zero, or a chord too, so that a look would tell nothing.
     """
-    slope, rising = (value_high - value_low) / (high - low), value_high > value_low
-    place, value = (low, value_low) if abs(value_low) < abs(value_high) else (high, value_high)
-    while abs(value) > blur:
-        trial = place - value / slope
+    (place, before, third), (value, value_before, value_third) = places, values
+    low, high = (place, before) if place < before else (before, place)
+    rising = (value > 0) == (place == high)
+    while True:
+        chord = (value - value_before) / (place - before)
+        twist = ((value_before - value_third) / (before - third) - chord) / (third - place)
+        slope = chord - twist * (before - place)
+        bent = slope * slope - twist * value
+        step = value * slope / bent if bent != 0 else high - low
+        trial = place - step
         if not low < trial < high:
+            if abs(value) <= blur:
+                return place, slope
             trial = (low + high) / 2
             if not low < trial < high:
-                break
-        new = function(trial)
-        if (new > 0) == rising:
-            high = trial
+                return place, slope
+        elif abs(value) <= blur or sag * abs(step * (trial - before)) <= blur:
+            return trial, slope
+        third, value_third, before, value_before = before, value_before, place, value
+        place, value = trial, function(trial)
+        if (value > 0) == rising:
+            high = place
         else:
-            low = trial
-        if abs(new - value) > 1000 * blur:
-            slope = (new - value) / (trial - place)
-        place, value = trial, new
-    return place - value / slope, slope
+            low = place
 
 
-def zeros_between(function, places, values, reach):
-    """The zeros between the places, as Shots."""
+def zeros_between(function, places, values, sag, blur):
+    """The zeros between the places, as Shots; sag: as in ``samples_apart``. blur: what rounding may make of zero."""
     found = []
     for k in range(1, len(places)):
         if (values[k] > 0) != (values[k - 1] > 0):
-            span = places[k - 1], places[k], values[k - 1], values[k]
-            found.append(Shot(smooth_root(function, *span, ALIKE * reach)))
+            beside = k + 1 if k + 1 < len(places) else k - 2
+            near = (k - 1, k, beside) if abs(values[k - 1]) < abs(values[k]) else (k, k - 1, beside)
+            known = [places[i] for i in near], [values[i] for i in near]
+            found.append(Shot(smooth_root(function, *known, sag, blur)))
     return found
 
 
@@ -1351,35 +1623,183 @@ def tip_shots(beta, eta, length, clamp_angle):
     clamp = less_quarters(clamp_angle, 4 * floor(clamp_angle / (2 * pi) + 0.5))
     if abs(beta * sin(clamp) + eta / 2 * sin(2 * clamp)) < LEVEL:
         return None
-
-    def missed(offset):
-        return miss_of(beta, eta, clamp, offset)
-
+    missed = miss_of(beta, eta, clamp, slow)
     # θ″ is nowhere more than β + η/2, and no motion is wider than a turn.
     reach = (1 + REACH) * min((beta + eta / 2) / 2, 2 * pi)
-    samples = samples_apart(missed, reach, shot_bend(beta, eta, (exp(slow / 2) - exp(-slow / 2)) ** 2 / 2) / 2)
-    return None if samples is None else zeros_between(missed, samples[0], samples[1], reach)
+    sag = shot_bend(beta, eta, (exp(slow / 2) - exp(-slow / 2)) ** 2 / 2) / 2
+    samples = samples_apart(missed, reach, sag)
+    return None if samples is None else zeros_between(missed, samples[0], samples[1], sag, ALIKE * reach)
 
 
-def mirror_shots(shots):
-    """The tips of the rod seen from the other side of the y axis."""
-    return [Shot((-shot.offset, shot.rate)) for shot in shots[::-1]]
+def fall_from_rest(eta, stiffness, double_cosine, double_sine, middle, half):
+    """V(middle − half) − V(middle + half), with both angles measured from a direction without moment."""
+    return rest_fall(
+        eta,
+        stiffness,
+        double_cosine,
+        double_sine,
+        sin(middle / 2),
+        cos(middle / 2),
+        sin(half / 2),
+        cos(half / 2),
+    )
 
 
-class Delay(Record):
-    """By how much a motion lasts longer when the place goes deeper by one, where that is all that changes.
+def fall(eta, rest, start, change):
+    """V(start) − V(start + change), from a start measured from a direction without moment."""
+    half = change / 2
+    return fall_from_rest(eta, rest.stiffness, rest.double_cosine, rest.double_sine, start + half, half)
 
-    Near an end the rod is straight for long along the directions at which the motion nearly rests: at the tip, in the
-    middle, and at the far turning point. arrival: the share of ``middle`` before the first arrival.
+
+class Ground(Record):
+    """What the ranges of a rod are told by: its landscape, the clamp's offsets from its directions, and the ridge.
+
+    drop, level, depth, by_hill: see ``Ridge``; height: V(ridge) − V(clamp), or 0 where no ridge is lower than the hill.
     """
 
     __slots__ = ()
 
-    deepest: float
-    tip: float
-    middle: float
-    far: float
+    eta: float
+    scene: Landscape
+    at: tuple[float, ...]
+    drop: float
+    level: float
+    depth: float
+    by_hill: bool
+    height: float
+
+
+def ridge_ground(eta, scene, at, ridge):
+    """The ground with a lower ridge."""
+    rests = scene.rests
+    # Near the far hill V says which is higher only by the distance from that hill.
+    height = fall(eta, rests[2], 0, at[2]) if at[2] < -at[4] else fall(eta, rests[4], 0, at[4]) - ridge.drop
+    return Ground((eta, scene, at, ridge.drop, ridge.level, ridge.depth, ridge.by_hill, height))
+
+
+def level_ground(eta, scene, at):
+    """The ground without a ridge lower than the hill."""
+    return Ground((eta, scene, at, 0, 0, 0, True, 0))
+
+
+def ground_of(eta, scene, clamp, ridge):
+    """The ground of a rod."""
+    if ridge.drop > 0:
+        return ridge_ground(eta, scene, clamp.offsets, ridge)
+    if len(scene.rests) != 3 and not scene.level:
+        scene = scene._replace(level=True, even=True)
+    return level_ground(eta, scene, clamp.offsets)
+
+
+class Phase(Record):
+    """Where on its half-swing the motion meets the clamp.
+
+    The length from the tip is ∫dψ/√(a² cos²ψ + b² sin²ψ) from 0 to ψ, with a and b half of ``end`` and ``middle``; the
+    half-swing ends at ψ = π/2. whole, delta: what the speed there follows from.
+    """
+
+    __slots__ = ()
+
+    square: float  # sin²ψ
+    rest: float  # cos²ψ
+    whole: float
+    delta: float
+
+
+def phase_of(motion):
+    """The phase of the clamp: χ by the half-angle sines, and ψ by χ."""
+    near, far, end = sqrt(motion.near), sqrt(motion.far), motion.end
+    done, left = motion.done_sine, motion.left_sine
+    whole = phase_sum(near, far, done, left)
+    gap = sin((motion.left - motion.done) / 4)
+    behind, ahead = far * done / whole, near * left / whole
+    lead = phase_lead(near, motion.half_cosine, motion.uneven, done, gap) / whole
+    # Of two sums for the same that which has the smaller terms rounds less.
+    cosine = lead if near * abs(left - done) + abs(motion.uneven) * done < whole else ahead - behind
+    # Not zero: at the tip itself the motion has no point by ℘.
+    square = larger(chi_square(behind, ahead), (2.0**-52) ** 19)
+    size, first = abs(cosine), cosine >= 0
+    delta = hypot(end * cosine, motion.middle * sqrt(square))
+    half = half_square(end, square, size, delta) if first else half_square_beyond(end, size, delta)
+    rest = half_rest(end, size, delta) if first else half_rest_beyond(end, motion.middle, square, size, delta)
+    return Phase((half, rest, whole, delta))
+
+
+def small_steps(a, b):
+    """What each step takes from the larger one of two numbers to their mean, twice, as shares of it; and the mean.
+
+    The two are a and b for Gauss's steps, a and √(a² − b²) for Landen's, which go on until nothing is left of b.
+    """
+    ratio = b / a
+    if ratio > APART:
+        gap, least = a - b, 2.0**-52 / 8
+    else:
+        gap, least = b * (b / (a + sqrt((a - b) * (a + b)))), 2.0**-52 * ratio * ratio / 8
+    shares, large, less = [gap / a], a, gap / 2
+    while True:
+        next_one = large - gap / 2
+        gap = gauss_gap(gap, next_one + sqrt(large * (large - gap)))
+        if gap <= least * large:
+            return shares, a - less
+        shares.append(gap / next_one)
+        large, less = next_one, less + gap / 2
+
+
+def descended(tangent, shares, ratio):
+    """tan ψ after Landen's steps. ratio: of the rates before them."""
+    for share in shares:
+        bent = ratio * tangent
+        root = landen_root(bent)
+        less = landen_less(share, bent, root)
+        tangent = tangent - tangent * less if less < 0.25 else landen_tangent(share, tangent, root)
+        ratio = share / (2 - share)
+    return tangent
+
+
+def swing_and_arrival(a, b, square, rest):
+    """The complete and the incomplete integral of 1/√(a² cos²ψ + b² sin²ψ), by sin²ψ and cos²ψ."""
+    tangent = sqrt(square / (rest if rest > 0 else (2.0**-52) ** 19))
+    if a < b:
+        a, b, tangent = b, a, tangent_exchanged(a, b, tangent)
+    shares, mean = small_steps(a, b)
+    ratio = b / a
+    if ratio > APART:
+        # Beyond this ψ is a right angle to rounding, and cubes of the tangent may overflow.
+        tangent = min(tangent, (2.0**-52) ** (-2))
+        square = tangent * tangent
+        for share in shares:
+            root, other_root = sqrt(1 + square), sqrt(1 + (1 - share) * (1 - share) * square)
+            square = square - square * gauss_less(share, root, other_root)
+        return pi / (2 * mean), atan(sqrt(square)) / mean
+    first = shares[0]
+    # The half-swing ends where the tangent is infinite: after a step it is not.
+    whole = descended((2 - first) / ratio, shares[1:], first / (2 - first))
+    return asinh(whole) / mean, asinh(descended(tangent, shares, ratio)) / mean
+
+
+class Sample(Record):
+    """Half-swing and first arrival at a place of a piece, and of what they are: the motion and its phase at the clamp.
+
+    The motion alone has the half-swing and the arrival without the lengths for which it stays anywhere.
+    """
+
+    __slots__ = ()
+
+    place: float
+    swing: float
     arrival: float
+    stay: Stay
+    phase: Phase
+    regular: tuple[float, float]
+
+
+def sample_of(place, stay):
+    """The sample of a motion."""
+    motion = stay.motion
+    phase = phase_of(motion)
+    regular = swing, arrival = swing_and_arrival(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
+    swing, arrival = swing + stay.tip + stay.middle + stay.far, arrival + stay.tip + stay.arrival
+    return Sample((place, swing, arrival, stay, phase, regular))
 
 
 class Basin(Record):
@@ -1437,25 +1857,6 @@ def moment_from_rest(eta, stiffness, double_cosine, double_sine, offset):
     return rest_moment(eta, stiffness, double_cosine, double_sine, sin(offset / 2), cos(offset / 2))
 
 
-def fall_from_rest(eta, stiffness, double_cosine, double_sine, middle, half):
-    """V(middle − half) − V(middle + half), with both angles measured from a direction without moment."""
-    return rest_fall(
-        eta,
-        stiffness,
-        double_cosine,
-        double_sine,
-        sin(middle / 2),
-        cos(middle / 2),
-        sin(half / 2),
-        cos(half / 2),
-    )
-
-
-def turn_to(start, end):
-    """The angle from one direction without moment to another, however near they are to each other."""
-    return (end.quarters - start.quarters) * (pi / 2) + (end.extra - start.extra)
-
-
 def within(sine):
     """A sine that rounding may have brought beyond 1."""
     return sine if sine < 1 else 1
@@ -1483,12 +1884,6 @@ def parallel_side(beta, eta, piece, rise, drop, from_hill, depth):
     else:
         left = up + piece.high_depth
     return (up + depth) / 2, left, 4 * eta * dip * low * high, distance
-
-
-def fall(eta, rest, start, change):
-    """V(start) − V(start + change), from a start measured from a direction without moment."""
-    half = change / 2
-    return fall_from_rest(eta, rest.stiffness, rest.double_cosine, rest.double_sine, start + half, half)
 
 
 def tip_fall(eta, piece, change, rise, drop):
@@ -1633,15 +2028,49 @@ def shoulder_moment(eta, basin, offset):
     return basin.moment * cos(offset) + slope(eta, basin.shoulder, offset)
 
 
-def beside_shoulder(eta, basin, from_hill, offset, moment):
-    """θ″ at the tip, by the shoulder if that is nearer than the hill or well by whose offset it was told."""
+class End(Record):
+    """An end of a motion beside a shoulder: the far turning point or the tip, and dθ″/dθ there."""
+
+    __slots__ = ()
+
+    is_far: bool
+    stiffness: float
+
+
+def stiffness_from_rest(eta, stiffness, double_cosine, double_sine, offset):
+    """dθ″/dθ at an offset from a direction without moment."""
+    return stiffness_beside(eta, stiffness, double_cosine, double_sine, sin(offset / 2), cos(offset / 2))
+
+
+def shoulder_stiffness(eta, basin, offset):
+    """dθ″/dθ at an offset from the shoulder."""
+    rest = basin.shoulder
+    stiffness = stiffness_from_rest(eta, rest.stiffness, rest.double_cosine, rest.double_sine, offset)
+    return stiffness - basin.moment * sin(offset)
+
+
+def beside_shoulder(eta, basin, from_hill, offset, moment, end):
+    """θ″ at the tip, and the end of the motion that is beside the shoulder, if the shoulder is nearer to the tip than
+    the hill or well by whose offset it was told; else as they are given."""
     apart = from_hill - turn_to(basin.hill, basin.shoulder)
-    return shoulder_moment(eta, basin, apart) if 2 * abs(apart) < abs(offset) else moment
+    if 2 * abs(apart) >= abs(offset):
+        return moment, end
+    return shoulder_moment(eta, basin, apart), End((False, shoulder_stiffness(eta, basin, apart)))
 
 
-def unevenness(eta, middle, sine, near, far):
-    """√far − √near: by the roots where they are apart, else by far − near = 2η sin 2(middle − α) sin(half_width)."""
-    by_turns = 2 * eta * sin(2 * middle) * sine / (sqrt(near) + sqrt(far))
+def halfway(hill, far, axis):
+    """The angle from an axis to the middle of two hills, in which whole turns between them are no rounding."""
+    quarters = hill.quarters + far.quarters - 2 * axis.quarters
+    return quarters * (pi / 4) + ((hill.extra - axis.extra) + (far.extra - axis.extra)) / 2
+
+
+def unevenness(eta, axis, centre, sine, near, far):
+    """√far − √near: by the roots where they are apart, else by far − near = 2η sin 2(middle − α) sin(half_width).
+
+    centre: from the axis to the middle.
+    """
+    double = axis.double_sine * cos(2 * centre) + axis.double_cosine * sin(2 * centre)
+    by_turns = 2 * eta * double * sine / (sqrt(near) + sqrt(far))
     apart = (8 * near < far) | (8 * far < near) | (near + far < 2 * eta * sine)
     return sqrt(far) - sqrt(near) if apart else by_turns
 
@@ -1662,13 +2091,11 @@ def above_field(eta, basin, offset, turn, height):
     return (height + fall(eta, basin.axis, 0, offset)) / (1 if turn == 0 else turn)
 
 
-def mean_less_field(eta, basin, centre, half_width, near, far, height, there, mean):
+def mean_less_field(eta, basin, centre, half_width, near, far, height, mean):
     """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
     level."""
     apart = mean - eta
-    close = apart <= 0.1 * eta
-    if there is not None:
-        return larger(far - 2 * eta * sin(there.lean) * sin(there.lean) if close else apart, 2.0**-52 * far / 4)
+    close = apart <= 0.3 * eta
     if close:
         # 2(axis − α), and 2(middle − α).
         axis = atan2(basin.axis.double_sine, basin.axis.double_cosine)
@@ -1688,21 +2115,17 @@ def mean_less_field(eta, basin, centre, half_width, near, far, height, there, me
     return apart if apart > least else least
 
 
-def rates(beta, eta, basin, centre, half_width, sine, near, far, height, there):
-    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle; there: the
-    far turning point, if it is beside a shoulder."""
+def rates(beta, eta, basin, centre, half_width, sine, near, far, height, beside):
+    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle; beside:
+    the end that is beside a shoulder, if one is."""
     middle, cosine = basin.axis.angle + centre, cos(half_width)
     cos_middle, cos_double = cos(middle), cos(2 * middle)
     product = sqrt(near) * sqrt(far)
     excess = -(2 * beta * cos_middle * cosine + eta * cos_double * (1 + cosine * cosine))
-    if there is not None:
-        # The same: V at the ends of the motion is equal.
-        bent = eta * (1 + 2 * cosine * cosine) * sin(2 * there.lean) * sine
-        excess = far * sine * sine * cosine - 2 * there.stiffness * cosine * cosine - bent
     split, rate = excess < 0, sqrt(product + (excess if excess > 0 else 0))
     if split:
         mean = -(2 * beta * cos_middle + eta * cosine * cos_double)
-        apart = mean_less_field(eta, basin, centre, half_width, near, far, height, there, mean)
+        apart = mean_less_field(eta, basin, centre, half_width, near, far, height, mean)
         rate = sine * sqrt(apart * (mean + eta) / (product - excess if split else 1)) if split else rate
     return sqrt(product / 2), rate / 2
 
@@ -1727,7 +2150,7 @@ def motion_at(beta, eta, piece: Piece, place):
     done, apart = piece.clamp_gap + drop, piece.past_hill - from_hill if upper else piece.past_well + depth
     done = done if done < 0.5 * (from_hill if upper else abs(piece.past_well)) else apart
     depth = turn_to(hill, well) - from_hill if upper else depth
-    there = None
+    beside = None
     if basin.even:
         half_width = turn_to(hill, basin.axis) - from_hill if upper else depth + turn_to(well, basin.axis)
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
@@ -1737,21 +2160,21 @@ def motion_at(beta, eta, piece: Piece, place):
         half_width = (done + left) / 2 if piece.high_kind == "turn" else half_width
     else:
         side = far_side(eta, piece, rise, drop, depth, height)
-        half_width, left, far_moment, far_distance, there = side
+        half_width, left, far_moment, far_distance, beside = side
         if basin.shoulder is not None:
-            near_moment = beside_shoulder(eta, basin, from_hill, offset, near_moment)
+            near_moment, beside = beside_shoulder(eta, basin, from_hill, offset, near_moment, beside)
         near_moment = larger(near_moment, least_moment(basin) * abs(offset))
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
     lack = (from_hill + far_distance) / 2 if basin.whole else pi - half_width
     sine = sin(lack if lack < half_width else half_width)
     near, far = 2 * near_moment / sine, 2 * far_moment / sine
-    uneven = 0 if basin.even else unevenness(eta, tip + half_width, sine, near, far)
     # done/2 + left/2 = half_width: near half a turn one follows from the other.
     done_sine = sin(lack + left / 2 if done > pi else done / 2)
     left_sine = sin(lack + done / 2 if left > pi else left / 2)
     half_cosine = sin(lack / 2)
-    centre = half_width - depth - turn_to(well, basin.axis)
-    end, middle = rates(beta, eta, basin, centre, half_width, sine, near, far, height, there)
+    centre = halfway(hill, basin.far, basin.axis) + (from_hill - far_distance) / 2
+    uneven = 0 if basin.even else unevenness(eta, basin.axis, centre, sine, near, far)
+    end, middle = rates(beta, eta, basin, centre, half_width, sine, near, far, height, beside)
     return Motion(
         (
             tip,
@@ -1773,94 +2196,10 @@ def motion_at(beta, eta, piece: Piece, place):
     )
 
 
-def stay_at(beta, eta, piece, ends, place):
-    """The motion of the tip at a place, however deep."""
-    low, high = ends
-    delay = low if place < 0 else high
-    depth = min(abs(place), delay.deepest)
-    more = abs(place) - depth
-    motion = motion_at(beta, eta, piece, -depth if place < 0 else depth)
-    return Stay((motion, more * delay.tip, more * delay.middle, more * delay.far, more * delay.arrival))
-
-
-class Phase(Record):
-    """Where on its half-swing the motion meets the clamp.
-
-    The length from the tip is ∫dψ/√(a² cos²ψ + b² sin²ψ) from 0 to ψ, with a and b half of ``end`` and ``middle``; the
-    half-swing ends at ψ = π/2. whole, delta: what the speed there follows from.
-    """
-
-    __slots__ = ()
-
-    square: float  # sin²ψ
-    rest: float  # cos²ψ
-    whole: float
-    delta: float
-
-
-def phase_of(motion):
-    """The phase of the clamp: χ by the half-angle sines, and ψ by χ."""
-    near, far, end = sqrt(motion.near), sqrt(motion.far), motion.end
-    done, left = motion.done_sine, motion.left_sine
-    whole = phase_sum(near, far, done, left)
-    gap = sin((motion.left - motion.done) / 4)
-    behind, ahead = far * done / whole, near * left / whole
-    lead = phase_lead(near, motion.half_cosine, motion.uneven, done, gap) / whole
-    cosine = ahead - behind if abs(ahead - behind) > 0.8 else lead
-    # Not zero: at the tip itself the motion has no point by ℘.
-    square = larger(chi_square(behind, ahead), (2.0**-52) ** 19)
-    size, first = abs(cosine), cosine >= 0
-    delta = hypot(end * cosine, motion.middle * sqrt(square))
-    half = half_square(end, square, size, delta) if first else half_square_beyond(end, size, delta)
-    rest = half_rest(end, size, delta) if first else half_rest_beyond(end, motion.middle, square, size, delta)
-    return Phase((half, rest, whole, delta))
-
-
-def lengths(a, b, square, rest):
-    """The complete and the incomplete integral of 1/√(a² cos²ψ + b² sin²ψ), by sin²ψ and cos²ψ.
-
-    Gauss's transformation makes a and b equal (DLMF 19.8(i), 19.8(iii)); it is written in sums of positive terms only.
-    """
-    limit, more = 2 * (2.0**-52) ** 0.5, a > 0
-    while more:
-        more = abs(a - b) > limit * a
-        delta = phase_rate(a, b, square, rest)
-        total, below = a + b, a + delta
-        square, rest = gauss_square(square, total, below), gauss_rest(a, b, square, rest, delta, below)
-        a, b = total / 2, sqrt(a * b)
-    mean = (a + b) / 2
-    return pi / (2 * mean), atan2(sqrt(square), sqrt(rest)) / mean
-
-
-class Sample(Record):
-    """Half-swing and first arrival at a place of a piece, and of what they are: the motion and its phase at the clamp.
-
-    The motion alone has the half-swing and the arrival without the lengths for which it stays anywhere.
-    """
-
-    __slots__ = ()
-
-    place: float
-    swing: float
-    arrival: float
-    stay: Stay
-    phase: Phase
-    regular: tuple[float, float]
-
-
-def sample_at(beta, eta, piece, ends, place):
-    """The sample at a place."""
-    stay = stay_at(beta, eta, piece, ends, place)
-    motion = stay.motion
-    phase = phase_of(motion)
-    regular = swing, arrival = lengths(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
-    swing, arrival = swing + stay.tip + stay.middle + stay.far, arrival + stay.tip + stay.arrival
-    return Sample((place, swing, arrival, stay, phase, regular))
-
-
 def speed_at(motion, phase):
     """|dθ/dσ| where the motion meets the clamp."""
-    return phase.delta * phase.whole / (motion.end * motion.sine) * sqrt(2 * motion.done_sine * motion.left_sine)
+    rate = phase.delta / motion.end
+    return turn_speed(motion.sine, motion.done_sine, motion.left_sine, phase.whole, rate)
 
 
 def excess(item, turns, sign, length):
@@ -1915,10 +2254,10 @@ def tip_on(beta, eta, length, piece, drop, rate, long):
     place = log(rise / drop)
     if not abs(place) < DEEP:
         return None
-    ends = Delay((inf, 0, 0, 0, 0)), Delay((inf, 0, 0, 0, 0))  # no place is so deep
 
     def sample(there):
-        return sample_at(beta, eta, piece, ends, there)
+        # No place is so deep that the rod is straight for a part of its length.
+        return sample_of(there, Stay((motion_at(beta, eta, piece, there), 0, 0, 0, 0)))
 
     return crossing_near(sample, place, rate * rise * drop / piece.width, length, long)
 
@@ -1940,63 +2279,6 @@ def hits(beta, eta, length, ranges, shots):
         if len(found) == len(shots):
             return found
     return None
-
-
-class Ground(Record):
-    """What the ranges of a rod are told by: its landscape and the clamp's offsets from the directions there.
-
-    drop: V(hill) − V(ridge); level: from the hill to the level of the ridge, depth: from there to the well; by_hill:
-    level is told by the hill, depth by the well if not; height: V(ridge) − V(clamp). They are 0 where no ridge is lower
-    than the hill.
-    """
-
-    __slots__ = ()
-
-    eta: float
-    scene: Landscape
-    at: tuple[float, ...]
-    drop: float
-    level: float
-    depth: float
-    by_hill: bool
-    height: float
-
-
-def level_ground(eta, scene, at):
-    """The ground without a ridge lower than the hill."""
-    return Ground((eta, scene, at, 0, 0, 0, True, 0))
-
-
-def ridge_fall(beta, eta, hill, ridge):
-    """V(hill) − V(ridge): the sine of half their distance times the slope of V between, as if it were a circle."""
-    half, middle = (ridge.extra - hill.extra) / 2, pi / 2 + (hill.extra + ridge.extra) / 2
-    return cos(half) * (2 * beta * sin(middle) - eta * sin(half) * sin(2 * middle))
-
-
-def ridge_ground(eta, scene, at, drop):
-    """The ground with a lower ridge."""
-    rests = scene.rests
-    down, above = turn_to(rests[0], rests[1]), fall(eta, rests[2], 0, turn_to(rests[2], rests[1]))
-    # Of a ridge that is next to its wells V tells at the hill nothing.
-    by_hill = drop < above
-    rest, amount = rests[0] if by_hill else rests[1], drop if by_hill else above
-    distance = reach(eta, rest, amount, down, 1 if by_hill else -1)
-    level, depth = distance if by_hill else down - distance, down - distance if by_hill else distance
-    # Near the far hill V says which is higher only by the distance from that hill.
-    height = fall(eta, rests[2], 0, at[2]) if at[2] < -at[4] else fall(eta, rests[4], 0, at[4]) - drop
-    return Ground((eta, scene, at, drop, level, depth, by_hill, height))
-
-
-def ground_of(beta, eta, scene, clamp):
-    """The ground of a rod."""
-    rests, at = scene.rests, clamp.offsets
-    if len(rests) == 3:
-        return level_ground(eta, scene, at)
-    drop = 0 if scene.level else ridge_fall(beta, eta, rests[0], rests[2])
-    # A ridge lower by less than this would be passed only from within its square root of the hill.
-    if drop <= (2.0 ** (-52)) ** 17 * (beta + eta):
-        return level_ground(eta, scene._replace(level=True, even=True), at)
-    return ridge_ground(eta, scene, at, drop)
 
 
 def in_basin(at, first, inside, builders):
@@ -2144,9 +2426,8 @@ def ranges(ground):
     ]
 
 
-def pieces(beta, eta, scene, clamp):
+def pieces(ground):
     """All ranges of tip angles below the clamp angle, from low to high, one after the other as they are asked for."""
-    ground = ground_of(beta, eta, scene, clamp)
     found = (build(ground) for here, build in ranges(ground) if here)
     return found
 
@@ -2154,6 +2435,22 @@ def pieces(beta, eta, scene, clamp):
 def slowness(hill):
     """Length per unit of the logarithm of the distance from a hill; a flat one is never come near enough to count."""
     return 1 / sqrt(hill.stiffness) if hill.stiffness > 0 else 0
+
+
+class Delay(Record):
+    """By how much a motion lasts longer when the place goes deeper by one, where that is all that changes.
+
+    Near an end the rod is straight for long along the directions at which the motion nearly rests: at the tip, in the
+    middle, and at the far turning point. arrival: the share of ``middle`` before the first arrival.
+    """
+
+    __slots__ = ()
+
+    deepest: float
+    tip: float
+    middle: float
+    far: float
+    arrival: float
 
 
 def ridge_offset(piece):
@@ -2178,6 +2475,21 @@ def delays(piece):
     ridge = slowness(basin.axis)
     behind = ridge_offset(piece)
     return low, Delay((depth, 0, ridge, 0, ridge if behind > 0 else ridge / 2 if behind == 0 else 0))
+
+
+def stay_at(beta, eta, piece, ends, place):
+    """The motion of the tip at a place, however deep."""
+    low, high = ends
+    delay = low if place < 0 else high
+    depth = min(abs(place), delay.deepest)
+    more = abs(place) - depth
+    motion = motion_at(beta, eta, piece, -depth if place < 0 else depth)
+    return Stay((motion, more * delay.tip, more * delay.middle, more * delay.far, more * delay.arrival))
+
+
+def sample_at(beta, eta, piece, ends, place):
+    """The sample at a place."""
+    return sample_of(place, stay_at(beta, eta, piece, ends, place))
 
 
 def least_arrival(beta, eta, piece, offset, left):
@@ -2239,7 +2551,7 @@ def beside_level(eta, piece):
 def grid(beta, eta, length, piece):
     """Places to begin with: near enough where the branches bend, and to where none of them is as short as the rod."""
     rounding = -log(2.0**-52)
-    slow = length * sqrt(beta + eta)
+    slow = (1 + 16 * 2.0**-52) * length * sqrt(beta + eta)  # of a very long rod rounding is more than the 6 below
     first = -2 * slow - 6 if piece.low_kind == "level" else -slow - 6
     first = min(first, -rounding) if piece.low_kind == "level" else first
     if piece.high_kind == "level":
@@ -2361,10 +2673,10 @@ def valley(sample, places, fallen, length):
     return found
 
 
-def bends(first, second, third, length):
+def bends(first, second, third, length, last):
     """Whether the curves bend so much at the second sample that a count may reach a whole number unseen beside it.
 
-    By how far the straight line through two samples misses the third.
+    Those beyond the last are not wanted. By how far the straight line through two samples misses the third.
     """
     share = (third.place - second.place) / (second.place - first.place)
     swing = third.swing - second.swing - share * (second.swing - first.swing)
@@ -2374,21 +2686,21 @@ def bends(first, second, third, length):
     for sign in (1, -1):
         for item in (first, second, third):
             count = (length - sign * item.arrival) / (2 * item.swing)
-            whole = floor(count + 0.5)
+            whole = min(floor(count + 0.5), last)
             if abs(count - whole) < reach and (whole > 0 or (whole == 0 and sign > 0)):
                 return True
     return False
 
 
-def refined(sample, samples, length):
+def refined(sample, samples, length, last):
     """More samples where half-swing or arrival bend between neighbours, as far as the rod's length is sensitive."""
     done, todo = [samples[0]], samples[:0:-1]
     while todo:
         before, after = done[-1], todo[-1]
-        apart = after.place - before.place > NEAREST
+        apart = after.place - before.place > max(NEAREST, 8 * 2.0**-52 * abs(before.place))
         beside = [(done[-2], before, after)] if len(done) > 1 else []
         beside += [(before, after, todo[-2])] if len(todo) > 1 else []
-        if apart and any(bends(one, two, three, length) for one, two, three in beside):
+        if apart and any(bends(one, two, three, length, last) for one, two, three in beside):
             todo.append(sample((before.place + after.place) / 2))
         else:
             done.append(todo.pop())
@@ -2427,8 +2739,11 @@ def end_sample(piece, last):
     return None
 
 
-def samples_on(beta, eta, length, piece, sample, short):
-    """Samples of a piece, near enough for all crossings; short: the rod is shorter than any half-swing."""
+def samples_on(beta, eta, length, piece, sample, short, last):
+    """Samples of a piece, near enough for all crossings of whole numbers up to the last.
+
+    short: the rod is shorter than any half-swing.
+    """
 
     def too_low(place):
         return least_arrival(beta, eta, piece, *about(piece, place)) > (1 + SAFE) * length
@@ -2447,15 +2762,18 @@ def samples_on(beta, eta, length, piece, sample, short):
     # A motion that arrives before the stiffest pendulum is down arrives the sooner, the nearer its tip (Sturm).
     quarter = pi / 2 / sqrt(beta + eta)
     soon = (1 - SAFE) * min(quarter, length) if short and piece.high_kind == "clamp" else 0
-    samples = refined(sample, sampled(sample, wanted, first, soon), length)
+    samples = refined(sample, sampled(sample, wanted, first, soon), length, last)
     end = end_sample(piece, samples[-1])
     return samples if end is None else [*samples, end]
 
 
-def between(samples, counts, k):
-    """The whole numbers from the lower count of a sample and that before it up to, but not at, the higher one."""
+def between(samples, counts, k, last):
+    """The whole numbers from the lower count of a sample and that before it up to, but not at, the higher one.
+
+    None beyond the last, of which a long rod may have too many to list.
+    """
     low, high = (counts[k - 1], counts[k]) if counts[k - 1] < counts[k] else (counts[k], counts[k - 1])
-    turns = range(max(ceil(low), 0), max(ceil(high), 0))
+    turns = range(max(ceil(low), 0), max(ceil(min(high, last + 0.5)), 0))
     if not turns:
         return []
     near = 4 * (samples[k].place - samples[k - 1].place)
@@ -2508,14 +2826,17 @@ def at_extremum(sample, triple, counts, length, sign):
     return [(goal, left, best, [right]), (goal, best, right, [left])]
 
 
-def brackets(sample, samples, counts, length, sign):
-    """(turns, sample, sample, those beside) for every whole number that the count crosses between the two samples."""
+def brackets(sample, samples, counts, length, sign, last):
+    """(turns, sample, sample, those beside) for every whole number that the count crosses between the two samples.
+
+    Those beyond the last are not wanted.
+    """
     found = []
     for k in range(1, len(samples)):
-        found += between(samples, counts, k)
+        found += between(samples, counts, k, last)
     for k in range(1, len(samples) - 1):
         before, here, after = counts[k - 1 : k + 2]
-        if (before - here) * (after - here) > 0:
+        if (before - here) * (after - here) > 0 and here < last + 1:
             found += at_extremum(sample, samples[k - 1 : k + 2], (before, here, after), length, sign)
     return found
 
@@ -2600,13 +2921,14 @@ def crossings(beta, eta, length, piece, most):
 
     # No half-swing is shorter than that of the stiffest pendulum.
     short = length * sqrt(beta + eta) < pi
-    samples = samples_on(beta, eta, length, piece, sample, short)
+    samples = samples_on(beta, eta, length, piece, sample, short, (most + 1) / 2)
     found = []
     for sign in (1,) if short else (1, -1):
         counts = [(length - sign * item.arrival) / (2 * item.swing) for item in samples]
-        for turns, before, after, beside in brackets(sample, samples, counts, length, sign):
-            # At least 2·turns − 1 conjugate points, or one more on the branch that has gone on.
-            if (turns or sign > 0) and 2 * turns - (sign < 0) <= most:
+        # At least 2·turns − 1 conjugate points, or one more on the branch that has gone on.
+        last = (most + (sign < 0)) / 2
+        for turns, before, after, beside in brackets(sample, samples, counts, length, sign, last):
+            if (turns or sign > 0) and turns <= last:
                 found.append(crossing(sample, turns, sign, length, (before, after, *beside)))
     return found
 
@@ -2641,7 +2963,8 @@ def rj_pair(x, product, root_sum, p, lift, less, twist):
     one, two = start - x, 2 * start - pair
     both = start * start - start * pair + product * product
     reach = 5 * (abs(one) + abs(start - p) + sqrt(abs(both)))
-    target = (2.0**-52 / 4) ** 0.125
+    # Twice that of the largest departure from the mean, for these are added up.
+    target = 2 * (2.0**-52 / 4) ** 0.125
     scale, total = 1, 0
     while reach > target * scale * abs(fivefold):
         root, root_p = sqrt(x), complex_sqrt(p)
@@ -2651,14 +2974,14 @@ def rj_pair(x, product, root_sum, p, lift, less, twist):
             minus = lift - side
             cancels = abs(plus) < abs(minus)
             plus = twist / (less * (minus if cancels else 1)) if cancels else plus
-        d = (root_p + root) * plus
+        share = 1 / ((root_p + root) * plus)  # one quotient of complex numbers, which take longer than products
         raised, lifted = lift + across, sqrt(x + product + across)
-        end = (root_p + root_p) * raised / d
-        total = total + arctan_share(twist / (scale * scale * scale * d * d), end) / (scale * d)
+        end = (root_p + root_p) * raised * share
+        total = total + arctan_share(twist * share * share, end) * share / scale
         pair = root_sum * (root_sum + 2 * root) / 4
-        x, p = (x + product + across) / 4, raised * 0.25  # a quotient of complex numbers takes longer
+        x, p = (x + product + across) / 4, raised * 0.25
         product, root_sum = root_sum * lifted / 4, sqrt(root_sum * (root_sum + 2 * root + 2 * lifted)) / 2
-        lift, fivefold = p + product, x + pair + (p + p)
+        lift, fivefold, twist = p + product, x + pair + (p + p), twist * 0.015625
         scale *= 4
     mean = fivefold / 5
     size = scale * mean
@@ -2668,10 +2991,9 @@ def rj_pair(x, product, root_sum, p, lift, less, twist):
     e3 = a * c + 2 * e2 * d + 4 * d * d * d
     e4 = (2 * a * c + e2 * d + 3 * d * d * d) * d
     e5 = a * c * d * d
-    low = -3 * e2 / 14 + e3 / 6 + 9 * e2 * e2 / 88 - 3 * e4 / 22 - 9 * e2 * e3 / 52 + 3 * e5 / 26
-    high = -e2 * e2 * e2 / 16 + 3 * e3 * e3 / 40 + 3 * e2 * e4 / 20 + 45 * e2 * e2 * e3 / 272
-    high = high - 9 * (e3 * e4 + e2 * e5) / 68
-    return (1 + low + high) / (scale * mean * complex_sqrt(mean)) + 6 * total
+    bent = e2 * (9 / 88 - e2 * (1 / 16) + e3 * (45 / 272)) - e3 * (9 / 52) + e4 * (3 / 20) - e5 * (9 / 68) - 3 / 14
+    series = 1 + e2 * bent + e3 * (1 / 6 + e3 * (3 / 40) - e4 * (9 / 68)) - e4 * (3 / 22) + e5 * (3 / 26)
+    return series / (scale * mean * complex_sqrt(mean)) + 6 * total
 
 
 def shift(eta, heading, motion, point, root, square, rest):
@@ -2750,11 +3072,15 @@ class Point(Record):
     root_sum: float
 
 
-def far_point(motion):
-    """The far turning point."""
-    b = strength(motion.near_moment)
-    pole = point_pole(b, motion.sine, cos(motion.half_width))
-    return Point((b, pole, 0, far_pair_root(motion.end), motion.middle))
+def clamp_point(motion, phase):
+    """The point where the motion meets the clamp."""
+    b, done = strength(motion.near_moment), motion.done_sine
+    one = point_near(b, motion.sine, done, motion.left_sine)
+    product = pair_root(sqrt(motion.near), done, phase.whole, phase.delta / motion.end)
+    delta = phase_rate(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
+    # 2Δ/sin ψ is no less than ``middle``, the square of which may underflow.
+    root_sum = larger(pair_root_sum(phase.square, delta), motion.middle)
+    return Point((b, point_pole(b, done, cos(motion.done / 2)), one, product, root_sum))
 
 
 def with_stays(rod, heading, arc, basin, middle, far):
@@ -2770,17 +3096,6 @@ def with_stays(rod, heading, arc, basin, middle, far):
         y, z = y + extent * (cos(angle) - heading.cosine), z + extent * (sin(angle) - heading.sine)
         square = square + extent * turned
     return Arc((y, z, square))
-
-
-def clamp_point(motion, phase):
-    """The point where the motion meets the clamp."""
-    b, done = strength(motion.near_moment), motion.done_sine
-    one = point_near(b, motion.sine, done, motion.left_sine)
-    product = pair_root(sqrt(motion.near), done, phase.whole, phase.delta / motion.end)
-    delta = phase_rate(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
-    # 2Δ/sin ψ is no less than ``middle``, the square of which may underflow.
-    root_sum = larger(pair_root_sum(phase.square, delta), motion.middle)
-    return Point((b, point_pole(b, done, cos(motion.done / 2)), one, product, root_sum))
 
 
 def sent_back(motion):
@@ -2816,83 +3131,107 @@ def last_stretch(rod, heading, motion, extent):
     return arc_from_far(rod.eta, heading, there, arc, extent)
 
 
-def bent_rod(rod, turns, piece, crossing, index):
-    """The equilibrium of a tip on its branch."""
-    beta, eta, length = rod.beta, rod.eta, rod.length
+def far_point(motion):
+    """The far turning point."""
+    b = strength(motion.near_moment)
+    pole = point_pole(b, motion.sine, cos(motion.half_width))
+    return Point((b, pole, 0, far_pair_root(motion.end), motion.middle))
+
+
+def arcs_of(rod, basin, crossing, heading, through):
+    """The arc of a half-swing, which is not asked for within the first one, and that of the rod."""
+    beta, eta = rod.beta, rod.eta
     stay, phase, (swing, arrival) = crossing.sample.stay, crossing.sample.phase, crossing.sample.regular
-    motion, basin = stay.motion, piece.basin
-    heading = heading_of(motion)
-    whole = Arc((0, 0, 0))  # not asked for within the first half-swing
-    if crossing.turns:
-        whole = arc_to(beta, eta, heading, motion, far_point(motion), 1, 0, swing)
-        whole = with_stays(rod, heading, whole, basin, stay.middle, stay.far)
-    both, sign = 2 * crossing.turns, crossing.sign
-    if sign > 0:
+    motion = stay.motion
+    if crossing.sign > 0:
         part = arc_to(beta, eta, heading, motion, clamp_point(motion, phase), phase.square, phase.rest, arrival)
         part = with_stays(rod, heading, part, basin, stay.arrival, 0)
     else:
         part = last_stretch(rod, heading, motion, swing - arrival)
         part = with_stays(rod, heading, part, basin, stay.middle - stay.arrival, stay.far)
-    through = both if sign > 0 else both - 1
-    arc = part if through == 0 else Arc(float(through * a + b) for a, b in zip(whole, part, strict=True))
-    speed = speed_at(motion, phase)
-    gamma = 2 * beta * heading.cosine + eta * (1 + heading.double_cosine) / 2
-    energy = -gamma * length / 2 - 2 * beta * arc.y - arc.square
-    scale = rod.scale
-    first = arrival + stay.tip + stay.arrival
+    if through == 0:
+        return Arc((0, 0, 0)), part
+    whole = arc_to(beta, eta, heading, motion, far_point(motion), 1, 0, swing)
+    whole = with_stays(rod, heading, whole, basin, stay.middle, stay.far)
+    return whole, Arc(float(through * a + b) for a, b in zip(whole, part, strict=True))
+
+
+def swing_of(length, turns, basin, crossing, heading, whole, arc, through):
+    """The half-swing of a bent rod, for its shape. through: half-swings before the one at the clamp."""
+    sample, both = crossing.sample, 2 * crossing.turns
     # The length of the rod is better known than that of a half-swing.
-    half_swing = (length - sign * first) / both if both else swing + stay.tip + stay.middle + stay.far
-    return Equilibrium(
+    half_swing = (length - crossing.sign * sample.arrival) / both if both else sample.swing
+    return Swing(
         (
-            rod.side * plus_quarters(motion.tip, 4 * turns),
-            -rod.side * sign * ldexp(speed, scale),
-            ldexp(gamma, 2 * scale),
-            ldexp(length * heading.cosine + arc.y, -scale),
-            rod.side * ldexp(length * heading.sine + arc.z, -scale),
-            ldexp(energy, scale),
-            index,
-            rod,
-            Swing(
-                (
-                    stay,
-                    turns,
-                    half_swing,
-                    heading,
-                    whole,
-                    arc,
-                    basin.axis.angle,
-                    basin.far.angle,
-                    through,
-                    first,
-                    arrival,
-                    phase.square,
-                    phase.rest,
-                )
-            ),
+            sample.stay,
+            turns,
+            half_swing,
+            heading,
+            whole,
+            arc,
+            basin.axis.angle,
+            basin.far.angle,
+            through,
+            sample.arrival,
+            sample.regular[1],
+            sample.phase.square,
+            sample.phase.rest,
         )
     )
 
 
-def below(rod, scene, clamp, most, shots):
+def bent_rod(rod, turns, piece, crossing, index):
+    """The equilibrium of a tip on its branch."""
+    beta, eta, length, side, scale = rod.beta, rod.eta, rod.length, rod.side, rod.scale
+    motion, phase = crossing.sample.stay.motion, crossing.sample.phase
+    heading = heading_of(motion)
+    through = 2 * crossing.turns - (1 if crossing.sign < 0 else 0)
+    whole, arc = arcs_of(rod, piece.basin, crossing, heading, through)
+    gamma = 2 * beta * heading.cosine + eta * (1 + heading.double_cosine) / 2
+    energy = -gamma * length / 2 - 2 * beta * arc.y - arc.square
+    near = motion.done < abs(motion.tip)  # the clamp angle is exact
+    tip = rod.clamp_angle - motion.done if near else plus_quarters(motion.tip, 4 * turns)
+    return Equilibrium(
+        (
+            side * tip,
+            -side * crossing.sign * ldexp(speed_at(motion, phase), scale),
+            ldexp(gamma, 2 * scale),
+            ldexp(length * heading.cosine + arc.y, -scale),
+            side * ldexp(length * heading.sine + arc.z, -scale),
+            ldexp(energy, scale),
+            index,
+            rod,
+            swing_of(length, turns, piece.basin, crossing, heading, whole, arc, through),
+        )
+    )
+
+
+def below(rod, scene, clamp, ridge, most, shots):
     """The equilibria with tips below the clamp angle, from the lowest up; tips may be nearer than rounding.
 
-    shots: all tips, roughly, or None.
+    ridge: that of the landscape, or None where it is not known yet. shots: all tips, roughly, or None.
     """
     tips = None if shots is None else [shot for shot in shots if shot.offset < 0]
     if tips == []:
         return []
     beta, eta, length = rod.beta, rod.eta, rod.length
+    ground = ground_of(eta, scene, clamp, ridge_of(beta, eta, scene) if ridge is None else ridge)
     found = None
     if tips is not None:
-        found = hits(beta, eta, length, pieces(beta, eta, scene, clamp), tips)
+        found = hits(beta, eta, length, pieces(ground), tips)
     if found is None:
         found = []
-        for piece in pieces(beta, eta, scene, clamp):
+        for piece in pieces(ground):
             if piece.width > 0:  # else the clamp angle is at the level of the ridge, to rounding
                 here = crossings(beta, eta, length, piece, most)
                 found += [(piece, crossing) for crossing in sorted(here, key=lambda item: item.sample.place)]
     indexed = [(piece, crossing, index_of(crossing)) for piece, crossing in found]
     return [bent_rod(rod, clamp.turns, *item) for item in indexed if item[2] <= most]
+
+
+def mirror_shots(shots):
+    """The tips of the rod seen from the other side of the y axis."""
+    return [Shot((-shot.offset, shot.rate)) for shot in shots[::-1]]
 
 
 def in_order(found):
@@ -2942,6 +3281,8 @@ def straight_rod(rod, rest):
 
 def straight(rod, scene, clamp, most):
     """The straight equilibrium, if the clamp angle is a direction without moment."""
+    if 0 not in clamp.offsets:
+        return []
     found = [straight_rod(rod, rest) for rest, offset in zip(scene.rests, clamp.offsets, strict=True) if offset == 0]
     return [item for item in found if item.index <= most]
 
@@ -2956,31 +3297,12 @@ def all_equilibria(beta, eta, max_index):
     mirrored = Rod((rod.beta, rod.eta, rod.length, -0.75 * pi, -1, scale))
     scene, other = landscapes(rod.beta, rod.eta)
     clamp = clamp_in(scene.rests, rod.clamp_angle)
+    beyond = mirrored_clamp(scene, other, clamp, mirrored.clamp_angle)
+    ridge = ridge_of(rod.beta, rod.eta, scene) if other is scene else None
     shots = tip_shots(rod.beta, rod.eta, rod.length, rod.clamp_angle)
-    mirrored_shots = None if shots is None else mirror_shots(shots)
-    above = below(mirrored, other, clamp_in(other.rests, mirrored.clamp_angle), most, mirrored_shots)
-    return in_order([*below(rod, scene, clamp, most, shots), *straight(rod, scene, clamp, most), *above[::-1]])
-
-
-def integer(name: str, value: Any) -> int:
-    """An integer that is no truth value, or an error that names the argument."""
-    try:
-        number = None if isinstance(value, bool) else index(value)
-    except TypeError:
-        number = None
-    if number is None:
-        raise TypeError(f"{name} must be None or an integer, got {value!r}")
-    return number
-
-
-def index_limit(max_index):
-    """The largest index of equilibria that are wanted: None for no limit, or an integer ≥ 0."""
-    if max_index is None:
-        return None
-    limit = integer("max_index", max_index)
-    if limit < 0:
-        raise ValueError(f"max_index must not be negative, got {max_index!r}")
-    return limit
+    lower = below(rod, scene, clamp, ridge, most, shots)
+    upper = below(mirrored, other, beyond, ridge, most, None if shots is None else mirror_shots(shots))
+    return in_order([*lower, *straight(rod, scene, clamp, most), *upper[::-1]])
 
 
 def refuse(name, numbers, bad, why):
@@ -3036,6 +3358,28 @@ class Given(Record):
     eta: Any
 
 
+def slab(grid, which, values):
+    """Some of a parameter's values, by a slice of their flat numbers in the grid; what is folded stays as it is."""
+    return np.broadcast_to(values, grid).flat[which]
+
+
+def element(case, values):
+    """A parameter of one rod as a number; what is folded stays as it is."""
+    return float(values[case])
+
+
+def all_must_have_answers(beta, eta, grid, most):
+    """ValueError for the first rod of a sweep that is refused."""
+    number = prod(grid)
+    for start in range(0, number, BLOCK):
+        which = slice(start, min(start + BLOCK, number))
+        force, magnet = slab(grid, which, beta), slab(grid, which, eta)
+        with np.errstate(over="ignore", under="ignore"):
+            bad = too_large(force, magnet) | too_many(force, magnet, most)
+        for case in np.flatnonzero(bad)[:1].tolist():
+            must_have_answer(element(case, force), element(case, magnet), most)
+
+
 class Columns(Record):
     """Equilibria, flat: the number of the rod, and what ``Equilibrium`` says of its tip.
 
@@ -3089,10 +3433,7 @@ def rows(record, which):
 
 
 class Rods(Record):
-    """Rods in their own units of length: see ``equilibria.Rod``. case: their number in the block; slow: ℓ√(β + η).
-
-    shot: whether all their tips are known nearly, by ``block_shots``.
-    """
+    """Rods in their own units of length: see ``equilibria.Rod``. case: their number in the block; slow: ℓ√(β + η)."""
 
     __slots__ = ()
 
@@ -3104,24 +3445,27 @@ class Rods(Record):
     length: Any
     clamp_angle: Any
     slow: Any
-    shot: Any
 
 
 def is_shot(rods):
     """Which rods are short, and not nearly straight."""
     lean = rods.clamp_angle
     couple = rods.beta * each_sin(rods.clamp_angle) + rods.eta / 2 * each_sin(2 * lean)
-    return (rods.slow < SHOT_SLOW) & (np.abs(couple) * rods.length * rods.length > STRAIGHT)
+    # No angle within rounding of the clamp's may be a direction without couple.
+    blur = BLURRED * 2.0**-52 * (np.abs(rods.clamp_angle) + 2) * (rods.beta + rods.eta)
+    return (rods.slow < SHOT_SLOW) & (np.abs(couple) * rods.length * rods.length > STRAIGHT) & (np.abs(couple) > blur)
 
 
 class Load(Record):
-    """What acts on rods, in units of their length, and the clamp angle less whole turns.
+    """What acts on rods, in units of their length, and the clamp angle less half turns: exact beside one.
 
-    reach: how far the tip may be from the clamp.
+    facing: −1 after an odd number of half turns, else 1, and β of that sign. reach: how far the tip may be from the
+    clamp.
     """
 
     __slots__ = ()
 
+    facing: Any
     beta: Any
     eta: Any
     double_cosine: Any
@@ -3135,8 +3479,11 @@ def load_of(rods):
     square = rods.length * rods.length
     twice = np.zeros(rods.case.shape)
     reach = np.minimum((rods.beta + rods.eta / 2) * square / 2, 2 * pi) * (1 + 0.001)
-    clamp = each_less_quarters(rods.clamp_angle, 4 * np.floor(rods.clamp_angle / (2 * pi) + 0.5))
-    return Load((rods.beta * square, rods.eta * square, each_cos(twice), each_sin(twice), clamp, reach))
+    half_turns = np.floor(rods.clamp_angle / pi + 0.5)
+    clamp, facing = each_less_quarters(rods.clamp_angle, 2 * half_turns), 1 - 2 * (half_turns % 2)
+    return Load(
+        (facing, facing * rods.beta * square, rods.eta * square, each_cos(twice), each_sin(twice), clamp, reach)
+    )
 
 
 def sag_of(rods):
@@ -3145,25 +3492,70 @@ def sag_of(rods):
     return shot_bend_each(rods.beta, rods.eta, 2 * half * half) / 2
 
 
-def wp_of_one(g2, g3):
-    """℘(1): the series at 1/4, or 1/16 in double precision, and the duplication formula."""
-    rough = g2.dtype == np.float32
-    square, doublings = (1 / 16, 2) if rough else (1 / 256, 4)
+def eighth_of(quartic):
+    """What the duplication formula has beside the coefficients, b₈ of Weierstrass curves."""
+    return (quartic.q * quartic.last - quartic.linear * quartic.linear / 4) / 4
+
+
+def ahead_near_tip(quartic, square, rough):
+    """℘(z) − c by z²: the series, to the rounding of single precision or of double precision."""
+    c = quartic.q / 12
+    g2 = quartic.q * c - quartic.linear
+    g3 = (quartic.linear - quartic.q * quartic.q / 18) * c - quartic.last
     a, b = g2 * (square * square / 20), g3 * (square * square * square / 28)
     series = a + b + a * a / 3 + a * b * (3 / 11)
     if not rough:
         series = series + (2 * a * a * a / 3 + b * b) / 13
-    value = (1 + series) / square
+    return (1 + (series - c * square)) / square
+
+
+def ahead_doubled(quartic, eighth, value):
+    """℘(2z) − c by ℘(z) − c: Weierstrass curves are doubled so, with b₂ = q, 2b₄ = ``linear``, b₆ = ``last``."""
+    squared = value * value
+    above = squared * (squared - quartic.linear / 2) - (2 * quartic.last * value + eighth)
+    return above / ((4 * value + quartic.q) * squared + (quartic.linear * value + quartic.last))
+
+
+def ahead_at_clamp(quartic):
+    """℘(1) − c: the series at 1/4, or 1/16 in double precision, and the duplication formula."""
+    rough = quartic.q.dtype == np.float32
+    square, doublings = (1 / 16, 2) if rough else (1 / 256, 4)
+    eighth = eighth_of(quartic)
+    value = ahead_near_tip(quartic, square, rough)
     for _ in range(doublings):
-        squared = value * value
-        above = squared + g2 / 4
-        value = (above * above + 2 * g3 * value) / (value * (4 * squared - g2) - g3)
+        value = ahead_doubled(quartic, eighth, value)
     return value
 
 
-def miss(load, share):
-    """The angle after the rod's length less the clamp angle, for tips at a share of their reach from that."""
-    offset = load.reach * share
+def missed_by(quartic, offset):
+    """The angle after the rod's length less the clamp angle."""
+    return offset + 2 * np.arctan2(quartic.b, ahead_at_clamp(quartic))
+
+
+class Quartic(Record):
+    """What a motion depends on, by its tip: b = p/4, and 4w³ + qw² + ``linear``·w + ``last``, the square of ℘′ by
+    w = ℘ − c (`theory/oblique_quartic`). Beside a hill ℘ − c is small, and so would be what a difference leaves of it.
+    """
+
+    __slots__ = ()
+
+    b: Any
+    q: Any
+    linear: Any
+    last: Any
+
+
+class Aim(Record):
+    """A tip: the quartic, and cosine and sine of θ(ℓ), as the load faces, and of 2(θ(ℓ) − α)."""
+
+    __slots__ = ()
+
+    quartic: Quartic
+    heading: Any
+
+
+def aim_at(load, offset):
+    """The tip at an offset from the clamp angle."""
     tip = load.clamp_angle + offset
     sine, cosine = each_sin(tip), each_cos(tip)
     twice_sine, twice_cosine = 2 * sine * cosine, 1 - 2 * sine * sine
@@ -3171,11 +3563,14 @@ def miss(load, share):
     double_cosine = twice_cosine * load.double_cosine + twice_sine * load.double_sine
     along, across, half = load.beta * cosine, load.beta * sine, 0.5 * load.eta * double_sine
     p, m, q = across + half, across - half, along + load.eta * double_cosine
-    mp, c = m * p, q / 12
-    g2 = q * c - mp / 4
-    g3 = (mp / 4 - q * q / 18) * c - along * p * p / 16
-    value = wp_of_one(g2, g3)
-    return offset + 2 * np.arctan2(p / 4, value - c)
+    b = p / 4
+    return Aim((Quartic((b, q, m * b, along * b * b)), (cosine, sine, double_cosine, double_sine)))
+
+
+def miss(load, share):
+    """The same for tips at a share of their reach from the clamp angle."""
+    offset = load.reach * share
+    return missed_by(aim_at(load, offset).quartic, offset)
 
 
 def joined(records):
@@ -3334,64 +3729,184 @@ def approached(function, given, left, right, value_left, value_right, steps, spr
     return place, slope
 
 
-class Shots(Record):
-    """Tips, sorted by ``key``: twice the rod's number, and 1 more for a tip above the clamp angle.
+def settled_shares(load, share, slope):
+    """The zeros of what is missed, all but to rounding, by secants from nearly there; the slopes; and the numbers of
+    those not found so."""
+    todo, before, value_before = np.arange(share.size), share, np.full(share.shape, np.inf)
+    for _ in range(SETTLINGS):
+        here = rows(load, todo) if todo.size < share.size else load
+        at = share[todo]
+        value, change = miss(here, at), at - before
+        told = np.abs(change) > SECANT_SPREAD
+        steep = np.where(told, (value - value_before) / np.where(told, change, 1), slope[todo])
+        slope[todo], share[todo] = steep, at - value / steep
+        left = np.flatnonzero(~(np.abs(value) <= SETTLED * here.reach))
+        todo, before, value_before = todo[left], at[left], value[left]
+        if not left.size:
+            break
+    return share, slope, todo
 
-    first, number: of those with a key; offset: tip less clamp angle; slope: ∂θ(0)/∂θ(ℓ).
+
+class Shots(Record):
+    """Tips of short rods.
+
+    rod: the number among those given; offset: tip less clamp angle; slope: ∂θ(0)/∂θ(ℓ), nearly; rising: whether that
+    is positive.
     """
 
     __slots__ = ()
 
-    first: Any
-    number: Any
+    rod: Any
     offset: Any
     slope: Any
+    rising: Any
 
 
-def shots_of(rods, size):
-    """All tips of short rods, and the numbers of the rods of which they are not sure: these have none."""
+def shots_of(rods):
+    """All tips of short rods, and the numbers among these of the rods of which they are not sure: they have none."""
     load, sag, blur = load_of(rods), sag_of(rods), ROUGH_BLUR * np.where(rods.slow < ROUGH_SHOT, 1.0, WIDER)
     spans, unsure = told_apart(load, sag, blur, *sampled_spans(load, sag, blur, rods.slow))
     if unsure.size:
         spans = rows(spans, ~np.isin(spans.rod, unsure))
-    which, left, right = spans.rod, spans.first, spans.first + spans.width
+    which, ends = spans.rod, (spans.first, spans.first + spans.width, spans.before, spans.after)
     some = rows(load, which)
-    ends = left, right, spans.before, spans.after
     share, slope = approached(miss, some, *ends, AIMS, AIM_SPREAD, AGAIN)
-    key = 2 * rods.case[which] + (share > 0)
-    order = np.argsort(key, kind="stable")
-    number = np.bincount(key, minlength=2 * size)
-    offset, slope = (share * some.reach)[order], (slope / some.reach)[order]
-    return Shots((number.cumsum() - number, number, offset, slope)), np.unique(unsure)
+    share, slope, lost = settled_shares(some, share, slope)
+    found = Shots((which, share * some.reach, slope / some.reach, spans.after > 0))
+    # A secant may lead to the tip of another span.
+    lost = np.concatenate([lost, np.flatnonzero(~((share > ends[0]) & (share < ends[1])))])
+    if lost.size:
+        unsure = np.concatenate([unsure, which[lost]])
+        found = rows(found, ~np.isin(which, unsure))
+    return found, np.unique(unsure)
 
 
-def both_sides_each(rods):
-    """The rods and after them their mirror images, for the tips above the clamp angle."""
-    number = rods.case.size
-    side, both = np.repeat(np.array([1, -1]), number), np.concatenate([np.arange(number), np.arange(number)])
-    twice = rows(rods, both)
-    return Rods(
+def corrected(load, shots):
+    """The offsets and tips, nearer than numbers are to each other.
+
+    At the clamp rounding of the tip angle shows up to cosh(ℓ√(β + η)) times. A last step of Newton's is therefore made
+    in p, by q = dp/dθ(ℓ): that is far more exact next to a hill, where it matters. All else may be off by a rounding.
+    """
+    tip = aim_at(load, shots.offset)
+    b, q, linear, last = tip.quartic
+    step = -missed_by(tip.quartic, shots.offset) / shots.slope
+    ratio = 1 + q * step / (4 * b)
+    return shots.offset + step, tip._replace(quartic=Quartic((b * ratio, q, linear * ratio, last * ratio * ratio)))
+
+
+def points_for(slow):
+    """How many points a rod needs, even numbers only."""
+    return 2 * ceil((POINTS_PER * slow + POINTS_MORE) / 2)
+
+
+@cache
+def half_of_gauss(number):
+    """The positive ones of twice as many points of Gauss and Legendre on [−1, 1], from the least up, and weights that
+    add up to 1: Newton's method from Tricomi's approximations."""
+    degree = 2 * number
+    angle = (np.arange(number, 0, -1) - 0.25) / (degree + 0.5) * pi
+    place = (1 - (degree - 1) / (8 * degree**3)) * np.cos(angle)
+    for _ in range(REFINED):
+        before, value = 1.0, place
+        for k in range(2, degree + 1):
+            before, value = value, ((2 * k - 1) * place * value - (k - 1) * before) / k
+        slope = degree * (before - place * value) / (1 - place * place)
+        place = place - value / slope
+    weight = 1 / ((1 - place * place) * slope * slope)
+    return place, weight / weight.sum()
+
+
+def ahead_along(quartic, place, slow):
+    """℘ − c at places in (0, 1], a row for each, which go up. slow: the greatest ℓ√(β + η)."""
+    doublings = np.maximum(np.ceil(np.log2(place * (slow / SERIES_END))), 0).astype(int)
+    start, eighth = place * 0.5**doublings, eighth_of(quartic)
+    value = ahead_near_tip(quartic, (start * start)[:, None], False)
+    for k in range(doublings[-1]):
+        first = int(np.searchsorted(doublings, k, side="right"))
+        value[first:] = ahead_doubled(quartic, eighth, value[first:])
+    return value
+
+
+class Bent(Record):
+    """Integrals along a rod of length 1, δ = θ − θ(ℓ): of cos δ − 1, sin δ, cos 2δ − 1 and sin 2δ."""
+
+    __slots__ = ()
+
+    cosine: Any
+    sine: Any
+    double_cosine: Any
+    double_sine: Any
+
+
+def integrals(quartic, slow):
+    """The integrals along rods of which ``slow`` is the greatest ℓ√(β + η)."""
+    place, weight = half_of_gauss(points_for(slow))
+    b, ahead = quartic.b, ahead_along(quartic, place, slow)
+    share = 1 / (ahead * ahead + b * b)
+    across = ahead * share
+    # sin δ = 2b·across, 1 − cos δ = 2b²·share.
+    first, second = weight @ across, weight @ share
+    third, fourth = weight @ (across * across), weight @ (across * share)
+    square = b * b
+    return Bent((-2 * square * second, 2 * b * first, -8 * square * third, 4 * b * first - 8 * b * square * fourth))
+
+
+def bent_along(quartic, slow):
+    """The integrals along rods, by their quartics and ℓ√(β + η): those of like length together."""
+    order, start, parts = np.argsort(slow), 0, []
+    while start < slow.size:
+        # As many points as the longest of these needs.
+        size = max(VALUES // points_for(slow[order[start]]), 1)
+        some = order[start : start + size]
+        parts.append(integrals(rows(quartic, some), slow[some[-1]]))
+        start += size
+    back = np.empty(order.size, dtype=int)
+    back[order] = np.arange(order.size)
+    return rows(joined(parts), back)
+
+
+def short_rods(rods, shots, most):
+    """The equilibria of short rods, by their shots."""
+    if not shots.rod.size:
+        return no_columns()
+    index = np.where(shots.rising, 0, 1)
+    shots, index = rows((shots, index), index <= most)
+    some = rows(rods, shots.rod)
+    load = load_of(some)
+    offset, tip = corrected(load, shots)
+    bent = bent_along(tip.quartic, some.slow)
+    beta, eta, length, unit = some.beta, some.eta, some.length, np.ldexp(1.0, some.scale)
+    cosine, sine, double_cosine, double_sine = tip.heading
+    cosine, sine = load.facing * cosine, load.facing * sine
+    y, z = bent.cosine * cosine - bent.sine * sine, bent.cosine * sine + bent.sine * cosine
+    gamma = 2 * beta * cosine + eta * (1 + double_cosine) / 2
+    doubled = bent.double_cosine * double_cosine - bent.double_sine * double_sine
+    turned = double_sine + bent.double_cosine * double_sine + bent.double_sine * double_cosine
+    moment = beta * (sine + z) + eta / 2 * turned  # the mean of θ″ along the rod
+    energy = -(gamma / 2 + 2 * beta * y + eta / 2 * doubled) * length
+    return Columns(
         (
-            twice.case,
-            side,
-            twice.scale,
-            twice.beta,
-            twice.eta,
-            twice.length,
-            side * twice.clamp_angle,
-            twice.slow,
-            twice.shot,
+            some.case,
+            0 * index,
+            offset,
+            some.clamp_angle + offset,
+            -moment * length * unit,
+            gamma * unit * unit,
+            (cosine + y) * length / unit,
+            (sine + z) * length / unit,
+            energy * unit,
+            index,
         )
     )
 
 
-def with_shots(rods, size):
-    """The rods and their mirror images, marked where all tips are known nearly, and without sides that have none."""
+def short_and_others(rods, most):
+    """The equilibria of short rods, and the rods of which they are not sure or that are none."""
     shot = is_shot(rods)
-    shots, unsure = shots_of(rows(rods, shot), size)
-    shot &= ~np.isin(rods.case, rods.case[shot][unsure])
-    both = both_sides_each(rods._replace(shot=shot))
-    return rows(both, ~both.shot | (shots.number[2 * both.case + (both.side < 0)] > 0)), shots
+    some = rows(rods, shot)
+    shots, unsure = shots_of(some)
+    shot[np.flatnonzero(shot)[unsure]] = False
+    return short_rods(some, shots, most), rows(rods, ~shot)
 
 
 def numbered(rods, mask):
@@ -3476,6 +3991,11 @@ def offset_from_each(rest, angle, turns):
     return each_pick((np.abs(offset) <= blur) | (np.abs(offset) < (2.0**-52) ** 9), 0, offset)
 
 
+def turn_to_each(start, end):
+    """The angle from one direction without moment to another, however near they are to each other."""
+    return (end.quarters - start.quarters) * (pi / 2) + (end.extra - start.extra)
+
+
 def clamp_in_each(rests, angle):
     """Whole turns such that the clamp lies from the first hill up to, but not at, its like a turn on."""
     turns = np.floor((angle - rests[0].angle) / (2 * pi))
@@ -3485,6 +4005,11 @@ def clamp_in_each(rests, angle):
         if not each_any_of(shift != 0):
             break
         turns = turns + shift
+    # One that counts as a direction without moment is as far from the others as that is.
+    for there, met in zip(rests, offsets, strict=True):
+        if each_any_of(met == 0):
+            apart = zip(rests, offsets, strict=True)
+            offsets = tuple(each_pick(met == 0, turn_to_each(rest, there), offset) for rest, offset in apart)
     return Clamp((turns, offsets))
 
 
@@ -3508,9 +4033,18 @@ def ridge_fall_each(beta, eta, hill, ridge):
     return each_cos(half) * (2 * beta * each_sin(middle) - eta * each_sin(half) * each_sin(2 * middle))
 
 
-def turn_to_each(start, end):
-    """The angle from one direction without moment to another, however near they are to each other."""
-    return (end.quarters - start.quarters) * (pi / 2) + (end.extra - start.extra)
+def ridge_along_each(beta, eta, drop):
+    """The ridge for a field along the force: with cos θ = 1 − 2β/η at its level, and −β/η at the well."""
+    more, less, root = np.sqrt(eta + beta), eta - beta, np.sqrt(beta)
+    level = 2 * np.arctan2(root, np.sqrt(less))
+    # tan of half the difference of the two.
+    depth = 2 * np.arctan2(eta * np.sqrt(less), (more + root) * (less + root * more))
+    return Ridge((drop, level, depth, level < depth))
+
+
+def ridge_at_each(beta, eta, drop):
+    """The ridge that is lower by ``drop`` than the hill."""
+    return ridge_along_each(beta, eta, drop)
 
 
 def fall_from_rest_each(eta, stiffness, double_cosine, double_sine, middle, half):
@@ -3533,9 +4067,68 @@ def fall_each(eta, rest, start, change):
     return fall_from_rest_each(eta, rest.stiffness, rest.double_cosine, rest.double_sine, start + half, half)
 
 
+def ridge_ground_each(eta, scene, at, ridge):
+    """The ground with a lower ridge."""
+    rests = scene.rests
+    # Near the far hill V says which is higher only by the distance from that hill.
+    height = each_pick(
+        at[2] < -at[4], fall_each(eta, rests[2], 0, at[2]), fall_each(eta, rests[4], 0, at[4]) - ridge.drop
+    )
+    return Ground((eta, scene, at, ridge.drop, ridge.level, ridge.depth, ridge.by_hill, height))
+
+
+def ground_of_kind(rods, scene, clamp):
+    """The ground of rods with one kind of landscape, and where a ridge is too near the hill's level to be told."""
+    rests = scene.rests
+    if len(rests) == 3 or scene.level:
+        return level_ground_each(rods.eta, scene, clamp.offsets), np.zeros(rods.case.shape, dtype=bool)
+    drop = ridge_fall_each(rods.beta, rods.eta, rests[0], rests[2])
+    low = drop <= (2.0**-52) ** 17 * (rods.beta + rods.eta)
+    ridge = ridge_at_each(rods.beta, rods.eta, drop)
+    return ridge_ground_each(rods.eta, scene, clamp.offsets, ridge), low
+
+
+def in_basin_each(at, first, inside, builders):
+    """The range of a clamp inside a basin: one before the well and at it, another beyond."""
+    return [(inside & (at[first + 1] <= 0), builders[0]), (inside & (at[first + 1] > 0), builders[1])]
+
+
 def pick_rest_each(condition, yes, no):
     """One or the other direction, number by number."""
     return Rest(each_pick(condition, *pair) for pair in zip(yes, no, strict=True))
+
+
+def piece_of_each(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, at):
+    """The record of a range."""
+    rests = (basin.hill, basin.well, basin.axis, basin.far_well, basin.far) if basin.passes else basin[:3]
+    rest, offset = rests[0], at[0]
+    for other, distance in zip(rests[1:], at[1:], strict=False):
+        closer = np.abs(distance) < np.abs(offset)
+        if each_any_of(closer):
+            rest, offset = pick_rest_each(closer, other, rest), each_pick(closer, distance, offset)
+    beyond, last = at[len(rests) - 2 : len(rests)]
+    ends = low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap
+    return Piece((basin, *ends, rest, offset, -last, beyond, at[0], at[1]))
+
+
+def from_hill_to_clamp_each(basin, at):
+    """From a hill to a clamp before the well."""
+    return piece_of_each(basin, "hill", "clamp", 0, at[0], -at[1], 0, 0, at)
+
+
+def basin_of_each(ground, first):
+    """The basin between two neighbouring hills."""
+    scene = ground.scene
+    hill, well, far = scene.rests[first : first + 3]
+    whole = len(scene.rests) == 3
+    even = scene.even and (scene.level or whole)
+    rise, beside = ground.drop if first else 0, (scene.shoulder, scene.moment, 0.0)
+    return Basin((hill, well, far, well, well, rise, False, even, whole, *beside))
+
+
+def first_clamp_each(ground):
+    """From the first hill to the clamp."""
+    return from_hill_to_clamp_each(basin_of_each(ground, 0), ground.at[:3])
 
 
 def step_to_each(eta, rest, offset, goal):
@@ -3576,68 +4169,6 @@ def reach_each(eta, rest, amount, most, side):
         if not each_any_of(moving):
             break
     return near
-
-
-def ridge_ground_each(eta, scene, at, drop):
-    """The ground with a lower ridge."""
-    rests = scene.rests
-    down, above = turn_to_each(rests[0], rests[1]), fall_each(eta, rests[2], 0, turn_to_each(rests[2], rests[1]))
-    # Of a ridge that is next to its wells V tells at the hill nothing.
-    by_hill = drop < above
-    rest, amount = pick_rest_each(by_hill, rests[0], rests[1]), each_pick(by_hill, drop, above)
-    distance = reach_each(eta, rest, amount, down, each_pick(by_hill, 1, -1))
-    level, depth = each_pick(by_hill, distance, down - distance), each_pick(by_hill, down - distance, distance)
-    # Near the far hill V says which is higher only by the distance from that hill.
-    height = each_pick(at[2] < -at[4], fall_each(eta, rests[2], 0, at[2]), fall_each(eta, rests[4], 0, at[4]) - drop)
-    return Ground((eta, scene, at, drop, level, depth, by_hill, height))
-
-
-def ground_of_kind(rods, scene, clamp):
-    """The ground of rods with one kind of landscape, and where a ridge is too near the hill's level to be told."""
-    rests = scene.rests
-    if len(rests) == 3 or scene.level:
-        return level_ground_each(rods.eta, scene, clamp.offsets), np.zeros(rods.case.shape, dtype=bool)
-    drop = ridge_fall_each(rods.beta, rods.eta, rests[0], rests[2])
-    low = drop <= (2.0**-52) ** 17 * (rods.beta + rods.eta)
-    return ridge_ground_each(rods.eta, scene, clamp.offsets, drop), low
-
-
-def in_basin_each(at, first, inside, builders):
-    """The range of a clamp inside a basin: one before the well and at it, another beyond."""
-    return [(inside & (at[first + 1] <= 0), builders[0]), (inside & (at[first + 1] > 0), builders[1])]
-
-
-def piece_of_each(basin, low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap, at):
-    """The record of a range."""
-    rests = (basin.hill, basin.well, basin.axis, basin.far_well, basin.far) if basin.passes else basin[:3]
-    rest, offset = rests[0], at[0]
-    for other, distance in zip(rests[1:], at[1:], strict=False):
-        closer = np.abs(distance) < np.abs(offset)
-        if each_any_of(closer):
-            rest, offset = pick_rest_each(closer, other, rest), each_pick(closer, distance, offset)
-    beyond, last = at[len(rests) - 2 : len(rests)]
-    ends = low_kind, high_kind, low_offset, width, high_depth, clamp_gap, level_gap
-    return Piece((basin, *ends, rest, offset, -last, beyond, at[0], at[1]))
-
-
-def from_hill_to_clamp_each(basin, at):
-    """From a hill to a clamp before the well."""
-    return piece_of_each(basin, "hill", "clamp", 0, at[0], -at[1], 0, 0, at)
-
-
-def basin_of_each(ground, first):
-    """The basin between two neighbouring hills."""
-    scene = ground.scene
-    hill, well, far = scene.rests[first : first + 3]
-    whole = len(scene.rests) == 3
-    even = scene.even and (scene.level or whole)
-    rise, beside = ground.drop if first else 0, (scene.shoulder, scene.moment, 0.0)
-    return Basin((hill, well, far, well, well, rise, False, even, whole, *beside))
-
-
-def first_clamp_each(ground):
-    """From the first hill to the clamp."""
-    return from_hill_to_clamp_each(basin_of_each(ground, 0), ground.at[:3])
 
 
 def from_hill_to_turn_each(eta, basin, at):
@@ -3801,6 +4332,12 @@ class Group(Record):
     dip: Any
 
 
+def has_no_shoulder(piece):
+    """Whether V has two hills a turn, or is symmetric."""
+    basin = piece.basin
+    return basin.even or basin.passes or piece.low_kind == "level" or not basin.whole
+
+
 def astroid_cusp_each():
     """Where the second pair is born: tan³x = tan α (Stoner and Wohlfarth's astroid).
 
@@ -3820,16 +4357,21 @@ def ridge_couple_each(beta, eta, x):
     return twist_each(eta, x) - beta * each_sin(x)
 
 
-def nearly_ridge(rods, piece):
-    """How far η is below the value at which a ridge would appear, and the place at which the motion would meet it:
-    see ``search.places``. No number where that is not on the range."""
-    basin = piece.basin
-    if basin.even or basin.passes or piece.low_kind == "level" or not basin.whole:
-        return np.full(rods.case.shape, np.inf), rods.slow
+def missing_ridge(rods):
+    """How far η is below the value at which a ridge would appear, over β + η, and where it would."""
     beta, eta = rods.beta, rods.eta
     side = astroid_cusp_each()
     missing = -ridge_couple_each(beta, eta, side) / (beta + eta)
-    cusp = pi - side
+    return missing, pi - side
+
+
+def nearly_ridge(rods, piece):
+    """How far η is below the value at which a ridge would appear, and the place at which the motion would meet it:
+    see ``places.places``. No number where that is not on the range."""
+    if has_no_shoulder(piece):
+        return np.full(rods.case.shape, np.inf), rods.slow
+    eta, basin = rods.eta, piece.basin
+    missing, cusp = missing_ridge(rods)
     down = turn_to_each(basin.hill, basin.well)
     rise = reach_each(eta, basin.hill, fall_each(eta, basin.hill, 0, cusp - basin.hill.angle), down, 1)
     inside = (rise > 0) & (rise < piece.width)
@@ -3839,11 +4381,7 @@ def nearly_ridge(rods, piece):
 def by_dips(group, wanted):
     """The ranges that are wanted, without and with a dip, and the cases left to the scalar solver, for their dip is
     too sharp."""
-    shot = group.rods.shot
-    if shot.all():
-        return [group], np.zeros(0, dtype=int)
     missing, dip = nearly_ridge(group.rods, group.piece)
-    missing = np.where(shot, np.inf, missing)
     plain, wide = wanted & (missing > NEARLY), wanted & (missing <= NEARLY) & (missing >= SHARP)
     parts = [rows(group, plain)] if plain.any() else []
     if wide.any():
@@ -3895,17 +4433,56 @@ def groups(rods):
             if which.size:
                 given, piece = rows(some, which), build(rows(ground, which))
                 group = Group((given, clamp.turns[which], np.full(which.shape, rank), piece, None))
-                parts, sharp = by_dips(group, given.shot | in_time(given, piece))
+                parts, sharp = by_dips(group, in_time(given, piece))
                 found += parts
                 doubtful.append(sharp)
     return found, straight, np.concatenate(doubtful)
 
 
-def level_drop(rods, offset):
-    """V(tip) − V(clamp) by the tip's offset from the clamp angle."""
-    middle, half = each_sin(rods.clamp_angle + offset / 2), each_sin(offset / 2)
-    lean = rods.clamp_angle + offset / 2
-    return -2 * half * (rods.beta * middle + rods.eta * each_cos(offset / 2) * each_sin(lean) * each_cos(lean))
+def moved(group):
+    """The group without what motions do not depend on."""
+    rods = group.rods._replace(case=0, side=0, scale=0)
+    return group._replace(rods=rods, turns=0, rank=0)
+
+
+def ends(rods, piece):
+    """The places of the deepest samples: see ``places.grid``."""
+    rounding = -np.log(2.0**-52)
+    first = np.minimum(-2 * rods.slow - 6, -rounding) if piece.low_kind == "level" else -rods.slow - 6
+    late = first
+    for k in range(1, HALVINGS + 1):
+        trial = late - first * 0.5**k
+        offset = piece.low_offset + piece.width / (1 + np.exp(-trial))
+        left = piece.clamp_gap + piece.width / (1 + np.exp(trial))
+        least = least_arrival_each(rods.beta, rods.eta, piece, offset, left)
+        late = np.where(least > (1 + SURELY) * rods.length, trial, late)
+    if piece.high_kind == "level":
+        last = 2 * rods.slow + rounding
+    elif piece.high_kind == "turn":
+        last = LATEST + 0 * rods.slow
+    else:
+        moment = np.abs(slope_each(rods.eta, piece.clamp_rest, piece.clamp_offset)) + SMALLEST
+        deeper = 4 + np.log(2 * piece.width) - np.log(moment) - 2 * np.log(rods.length)
+        last = np.where(piece.high_depth == 0, rounding, np.maximum(LATEST, deeper))
+    return late, last
+
+
+def spaced(deepest, step):
+    """Places from 0 to the deepest one, as shares of it."""
+    places, growth = [0.0], 1 + step / 3
+    while places[-1] < deepest:
+        places.append(places[-1] + step)
+        step *= growth
+    return np.array([*places[:-1], deepest]) / max(deepest, 1e-30)
+
+
+def places_of(dip, first, last, step):
+    """The places of samples, a column for each range: from the lowest up, and closer around dips."""
+    below, above = spaced(-first.min(), step), spaced(last.max(), step)
+    places = np.concatenate([first * below[:0:-1, None], last * above[:, None]])
+    if dip is None:
+        return places
+    return np.sort(np.concatenate([places, np.clip(dip + AROUND[:, None], first, last)]), axis=0)
 
 
 def within_each(sine):
@@ -4013,9 +4590,19 @@ def far_side_each(eta, piece, rise, drop, depth, height):
     return half_width, left, far_moment, each_pick(by_hill, distance, down - distance), None
 
 
-def unevenness_each(eta, middle, sine, near, far):
-    """√far − √near: by the roots where they are apart, else by far − near = 2η sin 2(middle − α) sin(half_width)."""
-    by_turns = 2 * eta * each_sin(2 * middle) * sine / (np.sqrt(near) + np.sqrt(far))
+def halfway_each(hill, far, axis):
+    """The angle from an axis to the middle of two hills, in which whole turns between them are no rounding."""
+    quarters = hill.quarters + far.quarters - 2 * axis.quarters
+    return quarters * (pi / 4) + ((hill.extra - axis.extra) + (far.extra - axis.extra)) / 2
+
+
+def unevenness_each(eta, axis, centre, sine, near, far):
+    """√far − √near: by the roots where they are apart, else by far − near = 2η sin 2(middle − α) sin(half_width).
+
+    centre: from the axis to the middle.
+    """
+    double = axis.double_sine * each_cos(2 * centre) + axis.double_cosine * each_sin(2 * centre)
+    by_turns = 2 * eta * double * sine / (np.sqrt(near) + np.sqrt(far))
     apart = (8 * near < far) | (8 * far < near) | (near + far < 2 * eta * sine)
     return each_pick(apart, np.sqrt(far) - np.sqrt(near), by_turns)
 
@@ -4036,15 +4623,11 @@ def above_field_each(eta, basin, offset, turn, height):
     return (height + fall_each(eta, basin.axis, 0, offset)) / each_pick(turn == 0, 1, turn)
 
 
-def mean_less_field_each(eta, basin, centre, half_width, near, far, height, there, mean):
+def mean_less_field_each(eta, basin, centre, half_width, near, far, height, mean):
     """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
     level."""
     apart = mean - eta
-    close = apart <= 0.1 * eta
-    if there is not None:
-        return np.maximum(
-            each_pick(close, far - 2 * eta * each_sin(there.lean) * each_sin(there.lean), apart), 2.0**-52 * far / 4
-        )
+    close = apart <= 0.3 * eta
     if each_any_of(close):
         # 2(axis − α), and 2(middle − α).
         axis = np.arctan2(basin.axis.double_sine, basin.axis.double_cosine)
@@ -4066,21 +4649,17 @@ def mean_less_field_each(eta, basin, centre, half_width, near, far, height, ther
     return np.maximum(apart, least)
 
 
-def rates_each(beta, eta, basin, centre, half_width, sine, near, far, height, there):
-    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle; there: the
-    far turning point, if it is beside a shoulder."""
+def rates_each(beta, eta, basin, centre, half_width, sine, near, far, height):
+    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle; beside:
+    the end that is beside a shoulder, if one is."""
     middle, cosine = basin.axis.angle + centre, each_cos(half_width)
     cos_middle, cos_double = each_cos(middle), each_cos(2 * middle)
     product = np.sqrt(near) * np.sqrt(far)
     excess = -(2 * beta * cos_middle * cosine + eta * cos_double * (1 + cosine * cosine))
-    if there is not None:
-        # The same: V at the ends of the motion is equal.
-        bent = eta * (1 + 2 * cosine * cosine) * each_sin(2 * there.lean) * sine
-        excess = far * sine * sine * cosine - 2 * there.stiffness * cosine * cosine - bent
     split, rate = excess < 0, np.sqrt(product + np.maximum(excess, 0))
     if each_any_of(split):
         mean = -(2 * beta * cos_middle + eta * cosine * cos_double)
-        apart = mean_less_field_each(eta, basin, centre, half_width, near, far, height, there, mean)
+        apart = mean_less_field_each(eta, basin, centre, half_width, near, far, height, mean)
         rate = each_pick(split, sine * np.sqrt(apart * (mean + eta) / each_pick(split, product - excess, 1)), rate)
     return np.sqrt(product / 2), rate / 2
 
@@ -4105,7 +4684,7 @@ def motion_at_each(beta, eta, piece: Piece, place):
     done, apart = piece.clamp_gap + drop, each_pick(upper, piece.past_hill - from_hill, piece.past_well + depth)
     done = each_pick(done < 0.5 * each_pick(upper, from_hill, np.abs(piece.past_well)), done, apart)
     depth = each_pick(upper, turn_to_each(hill, well) - from_hill, depth)
-    there = None
+    beside = None
     if basin.even:
         half_width = each_pick(
             upper, turn_to_each(hill, basin.axis) - from_hill, depth + turn_to_each(well, basin.axis)
@@ -4117,21 +4696,21 @@ def motion_at_each(beta, eta, piece: Piece, place):
         half_width = (done + left) / 2 if piece.high_kind == "turn" else half_width
     else:
         side = far_side_each(eta, piece, rise, drop, depth, height)
-        half_width, left, far_moment, far_distance, there = side
+        half_width, left, far_moment, far_distance, beside = side
         if basin.shoulder is not None:
-            near_moment = beside_shoulder(eta, basin, from_hill, offset, near_moment)
+            near_moment, beside = beside_shoulder(eta, basin, from_hill, offset, near_moment, beside)
         near_moment = np.maximum(near_moment, least_moment_each(basin) * np.abs(offset))
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
     lack = (from_hill + far_distance) / 2 if basin.whole else pi - half_width
     sine = each_sin(each_pick(lack < half_width, lack, half_width))
     near, far = 2 * near_moment / sine, 2 * far_moment / sine
-    uneven = 0 if basin.even else unevenness_each(eta, tip + half_width, sine, near, far)
     # done/2 + left/2 = half_width: near half a turn one follows from the other.
     done_sine = each_sin(each_pick(done > pi, lack + left / 2, done / 2))
     left_sine = each_sin(each_pick(left > pi, lack + done / 2, left / 2))
     half_cosine = each_sin(lack / 2)
-    centre = half_width - depth - turn_to_each(well, basin.axis)
-    end, middle = rates_each(beta, eta, basin, centre, half_width, sine, near, far, height, there)
+    centre = halfway_each(hill, basin.far, basin.axis) + (from_hill - far_distance) / 2
+    uneven = 0 if basin.even else unevenness_each(eta, basin.axis, centre, sine, near, far)
+    end, middle = rates_each(beta, eta, basin, centre, half_width, sine, near, far, height)
     return Motion(
         (
             tip,
@@ -4161,7 +4740,8 @@ def phase_of_each(motion):
     gap = each_sin((motion.left - motion.done) / 4)
     behind, ahead = far * done / whole, near * left / whole
     lead = phase_lead_each(near, motion.half_cosine, motion.uneven, done, gap) / whole
-    cosine = each_pick(np.abs(ahead - behind) > 0.8, ahead - behind, lead)
+    # Of two sums for the same that which has the smaller terms rounds less.
+    cosine = each_pick(near * np.abs(left - done) + np.abs(motion.uneven) * done < whole, lead, ahead - behind)
     # Not zero: at the tip itself the motion has no point by ℘.
     square = np.maximum(chi_square_each(behind, ahead), (2.0**-52) ** 19)
     size, first = np.abs(cosine), cosine >= 0
@@ -4191,15 +4771,11 @@ def rough_times(rods, piece, place):
     return pi / 2 / mean, np.arctan2(np.sqrt(square), np.sqrt(rest)) / mean
 
 
-def turned_back(group, row, place):
-    """Whether the motions meet the clamp on their way back, on rods that are as long as half-swings may be."""
-    long = np.flatnonzero(group.rods.slow[row] >= pi)
-    back = np.zeros(row.shape, dtype=bool)
-    if long.size:
-        some = rows(group, row[long])
-        swing, arrival = rough_times(some.rods, some.piece, place[long])
-        back[long] = np.abs(2 * swing - arrival - some.rods.length) < np.abs(arrival - some.rods.length)
-    return back
+def end_arrival(piece, swing):
+    """The first arrival at the high end itself, where it is known: at once, or after the whole half-swing."""
+    if piece.high_kind == "clamp":
+        return np.where((piece.clamp_gap == 0) & (piece.high_depth > 0), 0 * swing, np.nan)
+    return swing if piece.high_kind == "turn" else None
 
 
 class Brackets(Record):
@@ -4217,28 +4793,96 @@ class Brackets(Record):
     value_right: Any
 
 
-def aimed(group, shots):
-    """The tips on the ranges of a group: their ranges and branches as brackets, their places, and slopes there."""
-    rods, piece = group.rods, group.piece
-    key = 2 * rods.case + (rods.side < 0)
-    number = shots.number[key]
-    row = np.repeat(np.arange(key.size), number)
-    tip = np.repeat(shots.first[key] - number.cumsum() + number, number) + np.arange(row.size)
-    drop = -rods.side[row] * shots.offset[tip] - (piece.clamp_gap + 0 * rods.slow)[row]
-    width = piece.width[row]
-    inside = np.flatnonzero((drop > 0) & (drop < width))
-    row, drop, width, tip = row[inside], drop[inside], width[inside], tip[inside]
-    place, some = np.log((width - drop) / drop), rows(rods, row)
-    speed = np.sqrt(2 * level_drop(some, some.side * shots.offset[tip]))
-    slope = -shots.slope[tip] / speed * (width - drop) * drop / width
-    back = turned_back(group, row, place)
-    slope, sign = np.where(back, -slope, slope), np.where(back, -1, 1)
-    return Brackets((row, back.astype(float), sign, place - 0.5, place + 0.5, -slope, slope)), place, slope
-
-
 def surplus(swing, arrival, turns, sign, length):
     """The length of a branch less the rod's."""
     return 2 * turns * swing + sign * arrival - length
+
+
+def extrema(group, sign, places, swings, arrivals, counts):
+    """Brackets beside the extrema that reach beyond a whole number, and the ranges where that is not sure."""
+    grows = counts[1:] > counts[:-1]
+    row, which = np.nonzero(grows[1:] != grows[:-1])
+    before, here, after = (counts[row + k, which] for k in range(3))
+    left, middle, right = (places[row + k, which] for k in range(3))
+    top = here > before
+    share = np.maximum(right - middle, 1e-30) / np.maximum(middle - left, 1e-30)
+    reach = np.maximum(np.abs(before - here) * share, np.abs(after - here) / share)
+    goal = np.where(top, np.ceil(here), np.floor(here))
+    near = np.where(top, goal - here, here - goal)
+    close = np.flatnonzero(((before - here) * (after - here) > 0) & (near <= reach) & (goal >= 0))
+    which, goal, top, left, right = which[close], goal[close], top[close], left[close], right[close]
+    if not close.size:
+        return Brackets((which, goal, np.full(which.shape, sign), left, right, left, right)), which
+    some = rows(group, which)
+    length = some.rods.length
+    finer = left + (right - left) * FINER.astype(left.dtype)[:, None]
+    swings, arrivals = rough_times(some.rods, some.piece, finer)
+    short = np.where(top, 1, -1).astype(left.dtype) * (goal - (length - sign * arrivals) / (2 * swings))
+    # Sure: well beyond, once; or so far from it that a curve that bends one way does not reach it.
+    best = short.argmin(axis=0)
+    column = np.arange(which.size)
+    inner = np.clip(best, 1, 15)
+    least, beside = short[best, column], np.maximum(short[inner - 1, column], short[inner + 1, column])
+    margin = (0.0001 if left.dtype == np.float32 else 1e-09) * (1 + goal)
+    changes = ((short[1:] < 0) != (short[:-1] < 0)).sum(axis=0)
+    beyond = (least < -margin) & (changes == 2) & (best == inner)
+    hard = ~beyond & (2 * least <= beside + margin)
+    sure = np.flatnonzero(beyond)
+    value = surplus(swings[:, sure], arrivals[:, sure], goal[sure], sign, length[sure])
+    middle, column = finer[best[sure], sure], np.arange(sure.size)
+    center = value[best[sure], column]
+    found = Brackets((which[sure], goal[sure], np.full(sure.shape, sign), left[sure], middle, value[0], center))
+    other = found._replace(left=middle, right=right[sure], value_left=center, value_right=value[-1])
+    return joined([found, other]), which[hard]
+
+
+def crossed(group, sign, places, swings, arrivals, capped, most):
+    """Brackets of the whole numbers that the count of one branch crosses, and the ranges that are doubtful."""
+    length, end = group.rods.length, end_arrival(group.piece, swings[-1])
+    counts = (length - sign * arrivals) / (2 * swings)
+    doubt = ~np.isfinite(counts.sum(axis=0)) | capped[0] & (counts[0] >= 1)
+    beside, hard = extrema(group, sign, places, swings, arrivals, counts)
+    if end is None:
+        doubt |= capped[1] & (counts[-1] >= 1)
+    else:
+        # What lies deeper than the samples, towards the end itself.
+        beyond = (length - sign * end) / (2 * swings[-1])
+        doubt |= np.isfinite(beyond) & (np.ceil(np.maximum(beyond, 0)) != np.ceil(np.maximum(counts[-1], 0)))
+        turn = np.isfinite(beyond) & ((counts[-1] > counts[-2]) != (beyond > counts[-1]))
+        doubt |= turn & (np.abs(counts[-1] - np.floor(counts[-1] + 0.5)) < 2 * np.abs(beyond - counts[-2]))
+    levels = np.maximum(np.ceil(counts), 0)
+    row, which = np.nonzero(np.abs(levels[1:] - levels[:-1]) > 0)
+    one, other = levels[row, which], levels[row + 1, which]
+    number = np.abs(other - one).astype(int)
+    lowest, row, which = np.repeat(np.minimum(one, other), number), np.repeat(row, number), np.repeat(which, number)
+    turns = lowest + np.arange(number.sum(), dtype=lowest.dtype) - np.repeat(number.cumsum() - number, number)
+    turns = turns.astype(lowest.dtype)
+    ahead = [surplus(swings[k, which], arrivals[k, which], turns, sign, length[which]) for k in (row, row + 1)]
+    near, far = places[row, which], places[row + 1, which]
+    found = joined([Brackets((which, turns, np.full(which.shape, sign), near, far, ahead[0], ahead[1])), beside])
+    wanted = (found.turns > 0) | (sign > 0)
+    wanted &= 2 * found.turns - (sign < 0) <= most
+    return found if wanted.all() else rows(found, wanted), np.concatenate([np.flatnonzero(doubt), hard])
+
+
+def bracketed(group, kind, step, most):
+    """Brackets of all crossings of a group, and the ranges that are doubtful."""
+    rounded = rounded_to(group, kind)
+    first, last = ends(rounded.rods, rounded.piece)
+    deepest = ROUGH_DEPTH if kind is np.float32 else 600.0
+    capped = first < -deepest, last > deepest
+    first, last = np.maximum(first, -deepest), np.minimum(last, deepest)
+    parts, doubts = [], []
+    for start in range(0, first.size, RANGES):
+        here = slice(start, start + RANGES)
+        some, low, high, *deep = rows((rounded, first, last, *capped), here)
+        places = places_of(some.dip, low, high, step).astype(kind)
+        swings, arrivals = rough_times(some.rods, some.piece, places)
+        for sign in (1, -1) if some.rods.slow.max() >= pi else (1,):
+            found, doubt = crossed(some, sign, places, swings, arrivals, deep, most)
+            parts.append(found._replace(range=found.range + start))
+            doubts.append(doubt + start)
+    return joined(parts), np.concatenate(doubts)
 
 
 def rough_surplus(given, place):
@@ -4330,11 +4974,10 @@ def lost_ranges(wanted, found):
     return np.flatnonzero(number != np.bincount(found, minlength=number.size))
 
 
-def polished(some, brackets, place, slope, secants, ease):
+def polished(some, brackets, place, slope):
     """The crossings to rounding, by secants from rough ones, and the ranges in which one is not found so.
 
-    some: the group with a row for each; secants: as many before any is looked at for being right to rounding; ease:
-    after how many more twice as much is taken for rounding.
+    some: the group with a row for each.
     """
     wanted, crossed = brackets.range, (brackets.value_left > 0) != (brackets.value_right > 0)
     some, brackets, place, slope = rows((some, brackets, place, slope), crossed)
@@ -4348,8 +4991,8 @@ def polished(some, brackets, place, slope, secants, ease):
         now = surplus(times.swing, times.arrival, branch.turns, branch.sign, here.rods.length)
         slope[todo] = steep = secant_slope(at, before[todo], now, value[todo], slope[todo])
         value[todo], before[todo], step = now, at, now / steep
-        if turn >= secants:
-            blur = 2.0**-52 * 2 ** min(turn - secants, ease)
+        if turn >= SECANTS:
+            blur = 2.0**-52 * 2 ** min(turn - SECANTS, EASE)
             settled[todo] = close = (np.abs(step) <= blur * (1 + np.abs(at))) | (np.abs(now) <= blur * here.rods.length)
             # What is left time and again is rounding of the times themselves; half way leaves less of it.
             step = np.where(np.abs(now) <= NOISE * 2.0**-52 * here.rods.length, step / 2, step)
@@ -4363,186 +5006,26 @@ def polished(some, brackets, place, slope, secants, ease):
     return tips, lost_ranges(wanted, tips.range)
 
 
-def settled(part, which, brackets, place, slope, secants, doubts):
-    """The tips of ranges by their brackets, a list, and the ranges with doubts. place, slope: where they are known."""
+def searched(group, which, kind, step, most):
+    """The tips of some ranges, and the ranges of which there may be more or fewer."""
+    part = moved(rows(group, which) if which.size < group.rods.case.size else group)
+    brackets, doubts = bracketed(part, kind, step, most)
     if not brackets.range.size:
         return [], which[doubts]
     some = rows(part, brackets.range)
-    ease = SHOT_EASE
-    if place is None:
-        place, slope = roughly_at(some, brackets, brackets.left.dtype)
-        ease = EASE
-    sure, lost = polished(some, brackets, place, slope, secants, ease)
+    place, slope = roughly_at(some, brackets, brackets.left.dtype)
+    sure, lost = polished(some, brackets, place, slope)
     doubtful = np.concatenate([doubts, lost])
     if doubtful.size:
         sure = rows(sure, ~np.isin(sure.range, doubtful))
     return [sure._replace(range=which[sure.range])], which[doubtful]
 
 
-def moved(group):
-    """The group without what motions do not depend on."""
-    rods = group.rods._replace(case=0, side=0, scale=0, shot=0)
-    return group._replace(rods=rods, turns=0, rank=0)
-
-
-def hit(group, which, shots):
-    """The tips of ranges of rods that are shot."""
-    part = rows(group, which) if which.size < group.rods.case.size else group
-    brackets, place, slope = aimed(part, shots)
-    return settled(moved(part), which, brackets, place, slope, HITS, np.zeros(0, dtype=int))
-
-
-def ends(rods, piece):
-    """The places of the deepest samples: see ``places.grid``."""
-    rounding = -np.log(2.0**-52)
-    first = np.minimum(-2 * rods.slow - 6, -rounding) if piece.low_kind == "level" else -rods.slow - 6
-    late = first
-    for k in range(1, HALVINGS + 1):
-        trial = late - first * 0.5**k
-        offset = piece.low_offset + piece.width / (1 + np.exp(-trial))
-        left = piece.clamp_gap + piece.width / (1 + np.exp(trial))
-        least = least_arrival_each(rods.beta, rods.eta, piece, offset, left)
-        late = np.where(least > (1 + SURELY) * rods.length, trial, late)
-    if piece.high_kind == "level":
-        last = 2 * rods.slow + rounding
-    elif piece.high_kind == "turn":
-        last = LATEST + 0 * rods.slow
-    else:
-        moment = np.abs(slope_each(rods.eta, piece.clamp_rest, piece.clamp_offset)) + SMALLEST
-        deeper = 4 + np.log(2 * piece.width) - np.log(moment) - 2 * np.log(rods.length)
-        last = np.where(piece.high_depth == 0, rounding, np.maximum(LATEST, deeper))
-    return late, last
-
-
-def spaced(deepest, step):
-    """Places from 0 to the deepest one, as shares of it."""
-    places, growth = [0.0], 1 + step / 3
-    while places[-1] < deepest:
-        places.append(places[-1] + step)
-        step *= growth
-    return np.array([*places[:-1], deepest]) / max(deepest, 1e-30)
-
-
-def places_of(dip, first, last, step):
-    """The places of samples, a column for each range: from the lowest up, and closer around dips."""
-    below, above = spaced(-first.min(), step), spaced(last.max(), step)
-    places = np.concatenate([first * below[:0:-1, None], last * above[:, None]])
-    if dip is None:
-        return places
-    return np.sort(np.concatenate([places, np.clip(dip + AROUND[:, None], first, last)]), axis=0)
-
-
-def end_arrival(piece, swing):
-    """The first arrival at the high end itself, where it is known: at once, or after the whole half-swing."""
-    if piece.high_kind == "clamp":
-        return np.where((piece.clamp_gap == 0) & (piece.high_depth > 0), 0 * swing, np.nan)
-    return swing if piece.high_kind == "turn" else None
-
-
-def extrema(group, sign, places, swings, arrivals, counts):
-    """Brackets beside the extrema that reach beyond a whole number, and the ranges where that is not sure."""
-    grows = counts[1:] > counts[:-1]
-    row, which = np.nonzero(grows[1:] != grows[:-1])
-    before, here, after = (counts[row + k, which] for k in range(3))
-    left, middle, right = (places[row + k, which] for k in range(3))
-    top = here > before
-    share = np.maximum(right - middle, 1e-30) / np.maximum(middle - left, 1e-30)
-    reach = np.maximum(np.abs(before - here) * share, np.abs(after - here) / share)
-    goal = np.where(top, np.ceil(here), np.floor(here))
-    near = np.where(top, goal - here, here - goal)
-    close = np.flatnonzero(((before - here) * (after - here) > 0) & (near <= reach) & (goal >= 0))
-    which, goal, top, left, right = which[close], goal[close], top[close], left[close], right[close]
-    if not close.size:
-        return Brackets((which, goal, np.full(which.shape, sign), left, right, left, right)), which
-    some = rows(group, which)
-    length = some.rods.length
-    finer = left + (right - left) * FINER.astype(left.dtype)[:, None]
-    swings, arrivals = rough_times(some.rods, some.piece, finer)
-    short = np.where(top, 1, -1).astype(left.dtype) * (goal - (length - sign * arrivals) / (2 * swings))
-    # Sure: well beyond, once; or so far from it that a curve that bends one way does not reach it.
-    best = short.argmin(axis=0)
-    column = np.arange(which.size)
-    inner = np.clip(best, 1, 15)
-    least, beside = short[best, column], np.maximum(short[inner - 1, column], short[inner + 1, column])
-    margin = (0.0001 if left.dtype == np.float32 else 1e-09) * (1 + goal)
-    changes = ((short[1:] < 0) != (short[:-1] < 0)).sum(axis=0)
-    beyond = (least < -margin) & (changes == 2) & (best == inner)
-    hard = ~beyond & (2 * least <= beside + margin)
-    sure = np.flatnonzero(beyond)
-    value = surplus(swings[:, sure], arrivals[:, sure], goal[sure], sign, length[sure])
-    middle, column = finer[best[sure], sure], np.arange(sure.size)
-    center = value[best[sure], column]
-    found = Brackets((which[sure], goal[sure], np.full(sure.shape, sign), left[sure], middle, value[0], center))
-    other = found._replace(left=middle, right=right[sure], value_left=center, value_right=value[-1])
-    return joined([found, other]), which[hard]
-
-
-def crossed(group, sign, places, swings, arrivals, capped, most):
-    """Brackets of the whole numbers that the count of one branch crosses, and the ranges that are doubtful."""
-    length, end = group.rods.length, end_arrival(group.piece, swings[-1])
-    counts = (length - sign * arrivals) / (2 * swings)
-    doubt = ~np.isfinite(counts.sum(axis=0)) | capped[0] & (counts[0] >= 1)
-    beside, hard = extrema(group, sign, places, swings, arrivals, counts)
-    if end is None:
-        doubt |= capped[1] & (counts[-1] >= 1)
-    else:
-        # What lies deeper than the samples, towards the end itself.
-        beyond = (length - sign * end) / (2 * swings[-1])
-        doubt |= np.isfinite(beyond) & (np.ceil(np.maximum(beyond, 0)) != np.ceil(np.maximum(counts[-1], 0)))
-        turn = np.isfinite(beyond) & ((counts[-1] > counts[-2]) != (beyond > counts[-1]))
-        doubt |= turn & (np.abs(counts[-1] - np.floor(counts[-1] + 0.5)) < 2 * np.abs(beyond - counts[-2]))
-    levels = np.maximum(np.ceil(counts), 0)
-    row, which = np.nonzero(np.abs(levels[1:] - levels[:-1]) > 0)
-    one, other = levels[row, which], levels[row + 1, which]
-    number = np.abs(other - one).astype(int)
-    lowest, row, which = np.repeat(np.minimum(one, other), number), np.repeat(row, number), np.repeat(which, number)
-    turns = lowest + np.arange(number.sum(), dtype=lowest.dtype) - np.repeat(number.cumsum() - number, number)
-    turns = turns.astype(lowest.dtype)
-    ahead = [surplus(swings[k, which], arrivals[k, which], turns, sign, length[which]) for k in (row, row + 1)]
-    near, far = places[row, which], places[row + 1, which]
-    found = joined([Brackets((which, turns, np.full(which.shape, sign), near, far, ahead[0], ahead[1])), beside])
-    wanted = (found.turns > 0) | (sign > 0)
-    wanted &= 2 * found.turns - (sign < 0) <= most
-    return found if wanted.all() else rows(found, wanted), np.concatenate([np.flatnonzero(doubt), hard])
-
-
-def bracketed(group, kind, step, most):
-    """Brackets of all crossings of a group, and the ranges that are doubtful."""
-    rounded = rounded_to(group, kind)
-    first, last = ends(rounded.rods, rounded.piece)
-    deepest = ROUGH_DEPTH if kind is np.float32 else 600.0
-    capped = first < -deepest, last > deepest
-    first, last = np.maximum(first, -deepest), np.minimum(last, deepest)
-    parts, doubts = [], []
-    for start in range(0, first.size, RANGES):
-        here = slice(start, start + RANGES)
-        some, low, high, *deep = rows((rounded, first, last, *capped), here)
-        places = places_of(some.dip, low, high, step).astype(kind)
-        swings, arrivals = rough_times(some.rods, some.piece, places)
-        for sign in (1, -1) if some.rods.slow.max() >= pi else (1,):
-            found, doubt = crossed(some, sign, places, swings, arrivals, deep, most)
-            parts.append(found._replace(range=found.range + start))
-            doubts.append(doubt + start)
-    return joined(parts), np.concatenate(doubts)
-
-
-def searched(group, which, kind, step, most):
-    """The tips of some ranges, and the ranges of which there may be more or fewer."""
-    part = moved(rows(group, which) if which.size < group.rods.case.size else group)
-    brackets, doubts = bracketed(part, kind, step, most)
-    return settled(part, which, brackets, None, None, SECANTS, doubts)
-
-
-def tips(group, shots, most):
+def tips(group, most):
     """The tips of a group, a list of Found, and the ranges left to the scalar solver."""
-    shot, rough = group.rods.shot, group.rods.slow < ROUGH_SLOW
+    rough = group.rods.slow < ROUGH_SLOW
     found, again = [], [np.zeros(0, dtype=int)]
-    which = np.flatnonzero(shot)
-    if which.size:
-        sure, left = hit(group, which, shots)
-        found += sure
-        again.append(left)
-    for mask, kind in ((rough & ~shot, np.float32), (~rough, float)):
+    for mask, kind in ((rough, np.float32), (~rough, float)):
         which = np.flatnonzero(mask)
         if which.size:
             sure, doubtful = searched(group, which, kind, WIDE, most)
@@ -4564,6 +5047,17 @@ class Tips(Record):
     rank: Any
     turns: Any
     found: Any
+
+
+def beside_shoulders(group, found):
+    """The cases that have a tip from which the motion nearly rests beside a shoulder: arrays know no shoulders."""
+    if has_no_shoulder(group.piece):
+        return np.zeros(0, dtype=int)
+    rods, motion = rows(group.rods, found.range), found.motion
+    most, (_, cusp) = RESTING * (rods.beta + rods.eta), missing_ridge(rods)
+    tip, far = motion.tip - cusp, motion.tip + 2 * motion.half_width - cusp
+    rests = (np.abs(tip) < ASIDE) & (motion.near_moment < most) | (np.abs(far) < ASIDE) & (motion.far_moment < most)
+    return rods.case[rests]
 
 
 def straight_rods(straight, most):
@@ -4626,7 +5120,8 @@ def rj_pair_each(x, product, root_sum, p, lift, less, twist):
     one, two = start - x, 2 * start - pair
     both = start * start - start * pair + product * product
     reach = 5 * (np.abs(one) + np.abs(start - p) + np.sqrt(np.abs(both)))
-    target = (2.0**-52 / 4) ** 0.125
+    # Twice that of the largest departure from the mean, for these are added up.
+    target = 2 * (2.0**-52 / 4) ** 0.125
     scale, total = 1, 0
     while each_any_of(reach > target * scale * np.abs(fivefold)):
         root, root_p = np.sqrt(x), each_complex_sqrt(p)
@@ -4636,14 +5131,14 @@ def rj_pair_each(x, product, root_sum, p, lift, less, twist):
             minus = lift - side
             cancels = np.abs(plus) < np.abs(minus)
             plus = each_pick(cancels, twist / (less * each_pick(cancels, minus, 1)), plus)
-        d = (root_p + root) * plus
+        share = 1 / ((root_p + root) * plus)  # one quotient of complex numbers, which take longer than products
         raised, lifted = (lift + across, np.sqrt(x + product + across))
-        end = (root_p + root_p) * raised / d
-        total = total + each_arctan_share(twist / (scale * scale * scale * d * d), end) / (scale * d)
+        end = (root_p + root_p) * raised * share
+        total = total + each_arctan_share(twist * share * share, end) * share / scale
         pair = root_sum * (root_sum + 2 * root) / 4
-        x, p = (x + product + across) / 4, raised * 0.25  # a quotient of complex numbers takes longer
+        x, p = (x + product + across) / 4, raised * 0.25
         product, root_sum = root_sum * lifted / 4, np.sqrt(root_sum * (root_sum + 2 * root + 2 * lifted)) / 2
-        lift, fivefold = p + product, x + pair + (p + p)
+        lift, fivefold, twist = p + product, x + pair + (p + p), twist * 0.015625
         scale *= 4
     mean = fivefold / 5
     size = scale * mean
@@ -4653,10 +5148,9 @@ def rj_pair_each(x, product, root_sum, p, lift, less, twist):
     e3 = a * c + 2 * e2 * d + 4 * d * d * d
     e4 = (2 * a * c + e2 * d + 3 * d * d * d) * d
     e5 = a * c * d * d
-    low = -3 * e2 / 14 + e3 / 6 + 9 * e2 * e2 / 88 - 3 * e4 / 22 - 9 * e2 * e3 / 52 + 3 * e5 / 26
-    high = -e2 * e2 * e2 / 16 + 3 * e3 * e3 / 40 + 3 * e2 * e4 / 20 + 45 * e2 * e2 * e3 / 272
-    high = high - 9 * (e3 * e4 + e2 * e5) / 68
-    return (1 + low + high) / (scale * mean * each_complex_sqrt(mean)) + 6 * total
+    bent = e2 * (9 / 88 - e2 * (1 / 16) + e3 * (45 / 272)) - e3 * (9 / 52) + e4 * (3 / 20) - e5 * (9 / 68) - 3 / 14
+    series = 1 + e2 * bent + e3 * (1 / 6 + e3 * (3 / 40) - e4 * (9 / 68)) - e4 * (3 / 22) + e5 * (3 / 26)
+    return series / (scale * mean * each_complex_sqrt(mean)) + 6 * total
 
 
 def shift_each(eta, heading, motion, point, root, square, rest):
@@ -4832,29 +5326,39 @@ def bent_rods(known, most):
     return parts
 
 
-def on_arrays(rods, shots, most):
+def on_arrays(rods, most):
     """The equilibria of rods with tips below the clamp angle, the straight ones, and the cases left to the scalar
     solver."""
     found, straight, doubtful = groups(rods)
     known, left = [], [doubtful]
     for group in found:
-        tip, lost = tips(group, shots, most)
+        tip, lost = tips(group, most)
         left.append(group.rods.case[lost])
         for some in tip:
             rod, rank, turns = rows((group.rods, group.rank, group.turns), some.range)
             known.append(Tips((rod, rank, turns, some)))
+            left.append(beside_shoulders(group, some))
     parts = [no_columns(), *(straight_rods(some, most) for some in straight), *bent_rods(known, most)]
     return joined(parts), np.concatenate(left)
 
 
-def short(found, shots, size, most):
-    """The rods of which an equilibrium is missing: those of even and of odd index differ by one in number (the
-    degree of the equation is that of the rod without load), the least energy has index 0, and every shot ends in one.
+def both_sides_each(rods):
+    """The rods and after them their mirror images, for the tips above the clamp angle."""
+    number = rods.case.size
+    side, both = np.repeat(np.array([1, -1]), number), np.concatenate([np.arange(number), np.arange(number)])
+    twice = rows(rods, both)
+    return Rods(
+        (twice.case, side, twice.scale, twice.beta, twice.eta, twice.length, side * twice.clamp_angle, twice.slow)
+    )
+
+
+def incomplete(found, size, most):
+    """The rods of which an equilibrium is missing: those of even and of odd index differ by one in number (the degree
+    of the equation is that of the rod without load), and the least energy has index 0.
     """
     if most < np.inf:
         return np.bincount(found.case, minlength=size) == 0
-    balance = np.bincount(found.case, weights=1 - 2 * (found.index % 2), minlength=size)
-    return (balance != 1) | (np.bincount(found.case, minlength=size) < shots.number[0::2] + shots.number[1::2])
+    return np.bincount(found.case, weights=1 - 2 * (found.index % 2), minlength=size) != 1
 
 
 def at_once(beta, eta, size, most):
@@ -4864,12 +5368,13 @@ def at_once(beta, eta, size, most):
     slow = extent * np.sqrt(force + magnet)
     clamp = np.full(size, 0.75 * pi)
     good = (slow < SLOWEST) & (slow > 2.0**-52)
-    rods = rows(Rods((np.arange(size), 1, scale, force, magnet, extent, clamp, slow, slow < 0)), good)
-    rods, shots = with_shots(rods, size)
-    found, doubtful = on_arrays(rods, shots, most)
+    rods = rows(Rods((np.arange(size), 1, scale, force, magnet, extent, clamp, slow)), good)
+    short, rods = short_and_others(rods, most)
+    found, doubtful = on_arrays(both_sides_each(rods), most)
+    found = joined([short, found])
     return (
         found,
-        np.unique(np.concatenate([np.flatnonzero(~good), doubtful, np.flatnonzero(short(found, shots, size, most))])),
+        np.unique(np.concatenate([np.flatnonzero(~good), doubtful, np.flatnonzero(incomplete(found, size, most))])),
     )
 
 
@@ -4890,11 +5395,6 @@ def one_by_one(beta, eta, max_index):
             np.array([item.index for item in found], dtype=int),
         )
     )
-
-
-def element(case, values):
-    """A parameter of one rod as a number; what is folded stays as it is."""
-    return float(values[case])
 
 
 def in_order_each(found):
@@ -4923,11 +5423,6 @@ def block(beta, eta, size, max_index):
     return in_order_each(rows(found, np.lexsort((found.place, found.rank, found.case))))
 
 
-def slab(grid, which, values):
-    """Some of a parameter's values, by a slice of their flat numbers in the grid; what is folded stays as it is."""
-    return np.broadcast_to(values, grid).flat[which]
-
-
 def sweep_arrays(beta, eta, grid, max_index):
     """Every equilibrium of every rod, sorted by rod and then by tip angle; all arguments broadcast to ``grid``.
 
@@ -4946,6 +5441,30 @@ def sweep_arrays(beta, eta, grid, max_index):
     while columns:
         whole.append(np.concatenate(columns.pop(0)))
     return Columns(whole)
+
+
+def span(name, ends):
+    """(low, high) with 0 ≤ low < high, or an error that names the argument."""
+    if isinstance(ends, (str, bytes)) or not isinstance(ends, Iterable) or getattr(ends, "ndim", 1) != 1:
+        raise TypeError(f"{name} must be a pair (low, high), got {in_a_line(ends)}")
+    pair = list(ends)
+    if len(pair) != 2:
+        raise ValueError(f"{name} must be a pair (low, high), got {in_a_line(ends)}")
+    low, high = (real(f"{name}[{place}]", end) for place, end in enumerate(pair))
+    if not 0 <= low < high:
+        raise ValueError(f"{name} must be a range (low, high) with 0 ≤ low < high, got ({low}, {high})")
+    return low, high
+
+
+def must_be_searchable(beta, eta, slowest):
+    """ValueError where β + η at the high ends of their ranges is more than is searched."""
+    must_be_finite(beta, eta)
+    slow = 80.0 * sqrt(beta + eta)
+    if slow > slowest:
+        raise refused(
+            Loads((beta, eta)),
+            f"ℓ√(β + η) = {briefly(slow)} at the high end; the limit is {slowest}; choose a lower end or a shorter rod",
+        )
 
 
 def steps(beta, soonest, length, low, high):
@@ -5269,7 +5788,8 @@ def marks(sides, wanted=None):
             continue
         scene = landscape(rod.beta, rod.eta)
         clamp = clamp_in(scene.rests, rod.clamp_angle)
-        for number, piece in enumerate(pieces(rod.beta, rod.eta, scene, clamp)):
+        ground = ground_of(rod.eta, scene, clamp, ridge_of(rod.beta, rod.eta, scene))
+        for number, piece in enumerate(pieces(ground)):
             where = (rod.side, number, piece.low_kind, piece.high_kind, piece.basin.passes)
             if wanted is None or wanted[: len(where)] == where:
                 for mark in marks_on(rod, clamp.turns, piece, where, wanted):
@@ -5280,35 +5800,6 @@ def marks(sides, wanted=None):
 def both_sides(beta, eta, length, scale):
     """The rod, and its mirror image."""
     return Rod((beta, eta, length, 0.75 * pi, 1, scale)), Rod((beta, eta, length, -0.75 * pi, -1, scale))
-
-
-def rod_of(mark):
-    """The equilibrium of an extremum."""
-    _, sign, swings, _ = mark.group
-    index = 2 * swings - (1 if sign < 0 else 0)
-    rod, piece = mark.rod, mark.piece
-    sample = sample_at(rod.beta, rod.eta, piece, delays(piece), mark.place)
-    return bent_rod(rod, mark.turns, piece, Crossing((sample, swings, sign, True)), index)
-
-
-def fold_of(mark):
-    """The fold of an extremum whose length is the rod's."""
-    rod, top = mark.rod, mark.group[-1]
-    found = rod_of(mark)
-    change = 2 if (mark.slope > 0) == top else -2
-    eta = ldexp(rod.eta, 2 * rod.scale)
-    return Fold((eta, found.tip_angle, found.clamp_curvature, found.y, found.z, found.index, change, "fold"))
-
-
-def nearest(values, key, spot):
-    """The record of a key that is nearest to a spot; None if there is none."""
-    return min(values.get(key, []), key=lambda record: abs(record.spot - spot), default=None)
-
-
-def sharpened(at, mark):
-    """The extremum where its length is the rod's, by one step of Newton's method: η then has no error of its own."""
-    eta = mark.rod.eta - mark.height / mark.slope
-    return nearest(at(eta, mark.key), mark.key, mark.spot) or mark
 
 
 class Row(Record):
@@ -5401,6 +5892,11 @@ def leaps(low, high):
     return found
 
 
+def nearest(values, key, spot):
+    """The record of a key that is nearest to a spot; None if there is none."""
+    return min(values.get(key, []), key=lambda record: abs(record.spot - spot), default=None)
+
+
 def lowest(values_at, triple, key, spot, side):
     """Where side·height is least, or first found below zero, and the record there."""
 
@@ -5469,6 +5965,40 @@ def zeros(values_at, places, origin, least):
     return found
 
 
+def rod_of(mark):
+    """The equilibrium of an extremum."""
+    _, sign, swings, _ = mark.group
+    index = 2 * swings - (1 if sign < 0 else 0)
+    rod, piece = mark.rod, mark.piece
+    sample = sample_at(rod.beta, rod.eta, piece, delays(piece), mark.place)
+    return bent_rod(rod, mark.turns, piece, Crossing((sample, swings, sign, True)), index)
+
+
+def fold_of(mark):
+    """The fold of an extremum whose length is the rod's."""
+    rod, top = mark.rod, mark.group[-1]
+    found = rod_of(mark)
+    change = 2 if (mark.slope > 0) == top else -2
+    eta = ldexp(rod.eta, 2 * rod.scale)
+    return Fold((eta, found.tip_angle, found.clamp_curvature, found.y, found.z, found.index, change, "fold"))
+
+
+def sharpened(at, mark):
+    """The extremum where its length is the rod's, by Newton's method: η then has no error of its own.
+
+    A step squares the error, so after one below the root of rounding there is none left; but not the first, for the
+    extremum may have been found in few digits.
+    """
+    mark = nearest(at(mark.rod.eta, mark.key), mark.key, mark.spot) or mark
+    step, least = inf, sqrt(2.0**-52) * (mark.rod.beta + mark.rod.eta)
+    while abs(step) > least:
+        last, step = step, mark.height / mark.slope
+        if 2 * abs(step) > abs(last):  # beside an exchange there is no slope to tell more
+            return mark
+        mark = nearest(at(mark.rod.eta - step, mark.key), mark.key, mark.spot) or mark
+    return mark
+
+
 def straight_at(beta, eta):
     """The direction without moment that is the clamp angle; None if there is none."""
     rests = landscape(beta, eta).rests
@@ -5515,22 +6045,10 @@ def all_folds(beta, length, low, high):
     def at(eta, key):
         return marks(both_sides(beta, eta, length, scale), key)
 
-    found = [fold_of(sharpened(at, mark)) for mark in zeros(at, places, -beta, LEAST)]
+    rough = roughly(lambda: zeros(at, places, -beta, LEAST))
+    found = [fold_of(sharpened(at, mark)) for mark in rough]
     found += pitchforks(beta, length, scale, places)
     return sorted(found, key=lambda item: (item.eta, item.tip_angle))
-
-
-def span(name, ends):
-    """(low, high) with 0 ≤ low < high, or an error that names the argument."""
-    if isinstance(ends, (str, bytes)) or not isinstance(ends, Iterable) or getattr(ends, "ndim", 1) != 1:
-        raise TypeError(f"{name} must be a pair (low, high), got {in_a_line(ends)}")
-    pair = list(ends)
-    if len(pair) != 2:
-        raise ValueError(f"{name} must be a pair (low, high), got {in_a_line(ends)}")
-    low, high = (real(f"{name}[{place}]", end) for place, end in enumerate(pair))
-    if not 0 <= low < high:
-        raise ValueError(f"{name} must be a range (low, high) with 0 ≤ low < high, got ({low}, {high})")
-    return low, high
 
 
 def level_point(at, name, low, high, before, after):
@@ -5567,6 +6085,19 @@ def stationary(at, places, origin, key):
     return found
 
 
+def forces(low, high, length, field):
+    """The β to look at first, each larger than the last by the same share of β and the largest field.
+
+    As long as ℓ²(β + η) < (π/2)² nothing meets.
+    """
+    first = pi / 2 / length
+    start = max(low, first * first - field)
+    ratio = (high + field) / (start + field)
+    count = ceil(FORCES * log(ratio)) + 3
+    inner = [(start + field) * ratio ** (k / count) - field for k in range(1, count)]
+    return [start, *(beta for beta in inner if start < beta < high), high]
+
+
 def exchange_of(at, mark):
     """The exchange of a doubly stationary length that is the rod's; a step of Newton's method sharpens β."""
     _, sign, swings, top, over = mark.group
@@ -5593,8 +6124,7 @@ def all_exchanges(length, low_beta, high_beta, low, high):
 
         return stationary(extrema, places, -beta, key)
 
-    count = ceil(20 * (high_beta - low_beta) / (low_beta + high)) + 3
-    loads = [low_beta, *(low_beta + k * (high_beta - low_beta) / count for k in range(1, count)), high_beta]
+    loads = forces(low_beta, high_beta, length, high)
     found = [exchange_of(at, mark) for mark in zeros(at, loads, -high, CLOSE)]
     return sorted(found, key=lambda item: (item.beta, item.eta))
 
@@ -5635,7 +6165,9 @@ def equilibria(beta, eta, *, max_index=None) -> list[Equilibrium]:
     All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """
     beta, eta = not_negative("beta", beta), not_negative("eta", eta)
-    return all_equilibria(beta, eta, index_limit(max_index))
+    limit = index_limit(max_index)
+    must_have_answer(beta, eta, limit)
+    return all_equilibria(beta, eta, limit)
 
 
 class Sweep(Record):
@@ -5662,6 +6194,7 @@ def sweep(beta, eta, *, max_index=None) -> Sweep:
     """
     beta, eta = all_not_negative("beta", beta), all_not_negative("eta", eta)
     grid, limit = common_shape(Given((beta, eta))), index_limit(max_index)
+    all_must_have_answers(beta, eta, grid, limit)
     found = sweep_arrays(beta, eta, grid, limit)
     return Sweep(
         (found.case, found.tip_angle, found.clamp_curvature, found.gamma, found.y, found.z, found.energy, found.index)
@@ -5697,7 +6230,9 @@ def folds(beta, *, eta) -> list[Fold]:
     All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """
     beta = not_negative("beta", beta)
-    return all_folds(beta, 80.0, *span("eta", eta))
+    low, high = span("eta", eta)
+    must_be_searchable(beta, high, FOLDS_SLOWEST)
+    return all_folds(beta, 80.0, low, high)
 
 
 class Exchange(Record):
@@ -5729,4 +6264,6 @@ def exchanges(*, beta, eta) -> list[Exchange]:
 
     All in one unit of length. Raises TypeError or ValueError, naming the argument, before any work.
     """
-    return all_exchanges(80.0, *span("beta", beta), *span("eta", eta))
+    (low_beta, high_beta), (low, high) = span("beta", beta), span("eta", eta)
+    must_be_searchable(high_beta, high, EXCHANGES_SLOWEST)
+    return all_exchanges(80.0, low_beta, high_beta, low, high)

@@ -6,22 +6,23 @@ Gives: equilibria, shape, sweep, folds, exchanges.
 Load case: oblique. Valid for beta >= 0, eta >= 0, length > 0, any clamp_angle, any field_angle.
 Formulas, each proved equal to its derivation:
     arc_kink (DLMF 19.29(ii)), arc_kink_tip, arc_square (DLMF 19.29(ii)), arc_y (exsl36), arc_z (exsl41),
-    back_below (DLMF 19.8(iii)), back_below_rest (DLMF 19.8(iii)), back_move (DLMF 19.8(iii)),
-    back_rest (DLMF 19.8(iii)), back_square (DLMF 19.8(iii)), before_cosine (DLMF 22.8(i)),
-    before_over (DLMF 22.8(i)), before_sine (DLMF 22.8(i)), chi_cosine (DLMF 22.6(iii)),
-    chi_coversine (DLMF 22.6(iii)), chi_rate (DLMF 22.6(iii)), chi_scale (DLMF 22.6(iii)),
-    chi_square (DLMF 4.21(iii)), chi_versine (DLMF 22.6(iii)), cusp_couple, far_cosine (DLMF 22.4(iii)),
-    far_pair_root, far_root, far_sine (DLMF 22.4(iii)), force_balance (exsl6), force_stiffness,
-    gauss_gap (DLMF 19.8(i)), gauss_rest (DLMF 19.8(iii)), gauss_square (DLMF 19.8(iii)),
+    before_cosine (DLMF 22.8(i)), before_over (DLMF 22.8(i)), before_sine (DLMF 22.8(i)),
+    chi_cosine (DLMF 22.6(iii)), chi_coversine (DLMF 22.6(iii)), chi_rate (DLMF 22.6(iii)),
+    chi_scale (DLMF 22.6(iii)), chi_square (DLMF 4.21(iii)), chi_versine (DLMF 22.6(iii)), cusp_couple, end_above,
+    end_excess, end_twist, far_cosine (DLMF 22.4(iii)), far_pair_root, far_root, far_sine (DLMF 22.4(iii)),
+    force_balance (exsl6), force_stiffness, gauss_gap (DLMF 19.8(i)), gauss_less (DLMF 19.8(iii)),
+    gauss_more (DLMF 19.8(iii)), gauss_rest (DLMF 19.8(iii)), gauss_square (DLMF 19.8(iii)),
     half_rest (DLMF 22.6(iii)), half_rest_beyond (DLMF 22.6(iii)), half_square (DLMF 22.6(iii)),
-    half_square_beyond (DLMF 22.6(iii)), lag_step (DLMF 19.8(iii)), near_by_phase (DLMF 19.25.35), others_product,
-    others_sum, pair_couple (exsl6), pair_lift, pair_root, pair_root_sum (DLMF 19.26(iii)), pair_stiffness,
-    phase_bend (DLMF 19.8(iii)), phase_lead, phase_rate (DLMF 19.2.4), phase_ratio (DLMF 19.2.4), phase_sum,
-    point_near, point_pole (exsl22), point_speed (exsl8), rest_fall, rest_moment, rest_stiffness,
-    rj_delta_imag (DLMF 19.26(iii)), rj_delta_real (DLMF 19.26(iii)), shot_bend, strength (exsl17), tip_cubic,
-    turn_level, turn_over (DLMF 4.21(iii)), turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7),
-    w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 1bb9f3e0e70bb6da60cbc0a178806d08e0e7eda9cf2b19e701e2716f9dc2a704
+    half_square_beyond (DLMF 22.6(iii)), lag_step (DLMF 19.8(iii)), landen_less (DLMF 19.8(ii)),
+    landen_more (DLMF 19.8(ii)), landen_root (DLMF 19.2.4), landen_tangent (DLMF 19.8(ii)),
+    near_by_phase (DLMF 19.25.35), others_product, others_sum, pair_couple (exsl6), pair_lift, pair_root,
+    pair_root_sum (DLMF 19.26(iii)), pair_stiffness, phase_bend (DLMF 19.8(iii)), phase_lead,
+    phase_rate (DLMF 19.2.4), phase_ratio (DLMF 19.2.4), phase_sum, point_near, point_pole (exsl22), rest_fall,
+    rest_moment, rest_stiffness, rj_delta_imag (DLMF 19.26(iii)), rj_delta_real (DLMF 19.26(iii)), shot_bend,
+    stiffness_beside, strength (exsl17), tangent_exchanged (DLMF 22.17(i)), tip_cubic, turn_level,
+    turn_over (DLMF 4.21(iii)), turn_speed (exsl8), turn_tilt, turn_tilt_apart, turn_under,
+    unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
+Digest of the inputs: sha256 1ae059e227df51b175d879d7502acfe7e8a72d9f0ef9a3a4c6f7ff15ee88bec4
 """
 
 from __future__ import annotations
@@ -34,6 +35,7 @@ from typing import Any
 
 from mpmath import (
     asin,
+    asinh,
     atan,
     atan2,
     cos,
@@ -48,9 +50,12 @@ from mpmath import (
     mp,
     mpc,
     mpf,
+    nstr,
     pi,
     sin,
+    sinh,
     sqrt,
+    tan,
     workdps,
 )
 from mpmath import ceil as mpf_ceil
@@ -62,12 +67,18 @@ __all__ = ["Equilibrium", "Exchange", "Fold", "Shape", "Sweep", "equilibria", "e
 
 FEWEST = 15  # decimal digits
 MOST = 1000
+LARGEST = inf  # its numbers have no largest one
+MANY = 10_000  # equilibria of one rod: a minute or two in few digits
 DEEP = 30  # places beyond which tips are told by other means
 WITHIN = 2  # spacings of the length to which time maps are right
 TRIES = 24
 NEAR = 0.5  # how far a tip may be from where it was aimed, as a difference of places
+FOLDS_SLOWEST = 1000  # ℓ√(β + η) to which folds are searched for: hundreds of them, in minutes
 WINDOW = 0.5
+ROUGH_DIGITS = 20  # with which folds are found; Newton's method doubles them
 FURTHEST = 3
+EXCHANGES_SLOWEST = 100  # the same for exchanges, a search for folds at each of many forces
+FORCES = 20  # forces in a range by whose ends loads differ by a factor e
 
 
 # Special functions
@@ -175,6 +186,12 @@ def apart_by_quarters(angle, quarters):
     return quarters * (pi / 2), angle
 
 
+def roughly(work):
+    """What some work gives, where a few digits of it will do."""
+    with workdps(min(ROUGH_DIGITS, mp.dps)):
+        return work()
+
+
 # Formulas, as derived
 
 
@@ -235,29 +252,6 @@ def pair_stiffness(eta, lean_cosine, cusp_cosine, beside_sine, along, across, fo
     )
 
 
-def shot_bend(beta, eta, growth):
-    """a bound of |∂²θ(0)/∂θ(ℓ)²| for every tip, by cosh(ℓ√(β + η)) − 1: it solves G″ = (β + η)G + (β + 2η)cosh².
-
-    Proved as swing.shot_bend.
-    """
-    return growth * (beta + 2 * eta) * (3 + growth) / (3 * beta + 3 * eta)
-
-
-def rest_moment(eta, stiffness, double_cosine, double_sine, sine, cosine):
-    """θ″ at an offset from a direction without moment, by the sine and cosine of half the offset.
-
-    Proved as swing.rest_moment.
-    """
-    return (
-        2
-        * sine
-        * (
-            cosine * (stiffness - 2 * eta * double_cosine * sine * sine)
-            - 0.5 * eta * double_sine * sine * (3 - 4 * sine * sine)
-        )
-    )
-
-
 def rest_fall(eta, stiffness, double_cosine, double_sine, middle_sine, middle_cosine, half_sine, half_cosine):
     """V(rest + middle − half) − V(rest + middle + half), from a direction without moment.
 
@@ -286,6 +280,29 @@ def rest_fall(eta, stiffness, double_cosine, double_sine, middle_sine, middle_co
             )
         )
     )
+
+
+def rest_moment(eta, stiffness, double_cosine, double_sine, sine, cosine):
+    """θ″ at an offset from a direction without moment, by the sine and cosine of half the offset.
+
+    Proved as swing.rest_moment.
+    """
+    return (
+        2
+        * sine
+        * (
+            cosine * (stiffness - 2 * eta * double_cosine * sine * sine)
+            - 0.5 * eta * double_sine * sine * (3 - 4 * sine * sine)
+        )
+    )
+
+
+def shot_bend(beta, eta, growth):
+    """a bound of |∂²θ(0)/∂θ(ℓ)²| for every tip, by cosh(ℓ√(β + η)) − 1: it solves G″ = (β + η)G + (β + 2η)cosh².
+
+    Proved as swing.shot_bend.
+    """
+    return growth * (beta + 2 * eta) * (3 + growth) / (3 * beta + 3 * eta)
 
 
 def phase_sum(root_near, root_far, done_sine, left_sine):
@@ -344,34 +361,105 @@ def half_rest_beyond(end, middle, square, tilt, delta):
     return square * middle * middle / ((delta + end * tilt) * (end + delta))
 
 
-def phase_rate(first, second, square, rest):
-    """Δ = √(a² cos²ψ + b² sin²ψ), dψ/dσ.
+def tangent_exchanged(first, second, tan_phase):
+    """Tan ψ of the same length where a and b are exchanged.
 
-    Equation DLMF 19.2.4; proved as swing.phase_rate.
+    Equation DLMF 22.17(i); proved as swing.tangent_exchanged.
     """
-    return sqrt(rest * first * first + square * second * second)
+    return second * tan_phase / first
 
 
-def gauss_square(square, total, below):
-    """sin²ψ′ of Gauss's step, which keeps the integral: a′ = (a + b)/2, b′ = √(ab); total = a + b, below = a + Δ.
+def gauss_gap(gap, total):
+    """a′ − b′ after Gauss's step, by gap = a − b and total = a′ + b′.
 
-    Equation DLMF 19.8(iii); proved as swing.gauss_square.
+    Equation DLMF 19.8(i); proved as swing.gauss_gap.
     """
-    return square * total * total / (below * below)
+    return 0.25 * gap * gap / total
 
 
-def gauss_rest(first, second, square, rest, delta, below):
-    """cos²ψ′ of Gauss's step, without a difference; below = a + Δ.
+def gauss_less(share, root, other_root):
+    """by what share tan²ψ is less after Gauss's step, by root = √(1 + tan²ψ) and other_root = √(1 + (b/a)² tan²ψ).
 
-    Equation DLMF 19.8(iii); proved as swing.gauss_rest.
+    Equation DLMF 19.8(iii); proved as swing.gauss_less.
     """
     return (
-        2
-        * first
-        * rest
-        * (first + (first * first + square * second * second) / (delta + second * square))
-        / (below * below)
+        0.5
+        * share
+        * (
+            1
+            + root
+            * (2 - share)
+            * ((1 - share) ** 2 + other_root * other_root)
+            / ((other_root + root * (1 - share) ** 2) * (1 + root * other_root))
+        )
     )
+
+
+def landen_root(bent):
+    """√(a² + b² tan²ψ)/a.
+
+    Equation DLMF 19.2.4; proved as swing.landen_root.
+    """
+    return sqrt(1 + bent * bent)
+
+
+def landen_less(share, bent, root):
+    """by what share tan ψ is less after Landen's step.
+
+    Equation DLMF 19.8(ii); proved as swing.landen_less.
+    """
+    return (share + bent * bent / (1 + root)) / (1 + root)
+
+
+def landen_tangent(share, tan_phase, root):
+    """Tan ψ after Landen's step.
+
+    Equation DLMF 19.8(ii); proved as swing.landen_tangent.
+    """
+    return tan_phase * (2 - share) / (1 + root)
+
+
+def stiffness_beside(eta, stiffness, double_cosine, double_sine, sine, cosine):
+    """dθ″/dθ at an offset from a direction without moment, by the sine and cosine of half the offset.
+
+    Proved as swing.stiffness_beside.
+    """
+    return (
+        stiffness * (1 - 2 * sine * sine)
+        - eta * sine * (2 * double_cosine * sine * (3 - 4 * sine * sine) + double_sine * cosine * (3 - 8 * sine * sine))
+    )
+
+
+def end_excess(rate, stiffness, cosine):
+    """R by one end of the motion: by P (or P′) and dθ″/dθ there, and cos D.
+
+    Proved as swing.end_excess.
+    """
+    return stiffness + 1.5 * rate * cosine
+
+
+def end_twist(eta, rate, stiffness, sine, cosine):
+    """sin(D + 2(M − α)) by the far turning point, or sin(D − 2(M − α)) by the tip.
+
+    Proved as swing.end_twist.
+    """
+    return (-0.5 * rate * cosine - stiffness) / (eta * sine)
+
+
+def end_above(eta, rate, twist_sine, twist_cosine):
+    """a₀ − η by P (or P′), and by the sine and cosine of D ± 2(M − α).
+
+    Proved as swing.end_above.
+    """
+    return rate - eta * twist_sine * twist_sine / (1 + twist_cosine)
+
+
+def turn_speed(sine, done_sine, left_sine, whole, rate):
+    """|θ_σ| by the phase's sum and the rate of χ over that at the turning points.
+
+    Equation exsl8; proved as swing.turn_speed.
+    """
+    return whole * rate * sqrt(2) * sqrt(done_sine * left_sine) / sine
 
 
 def far_root(near, cosine):
@@ -454,6 +542,14 @@ def tip_cubic(beta, eta, sine, double_sine):
     return beta * sine - 0.5 * eta * double_sine
 
 
+def phase_rate(first, second, square, rest):
+    """Δ = √(a² cos²ψ + b² sin²ψ), dψ/dσ.
+
+    Equation DLMF 19.2.4; proved as swing.phase_rate.
+    """
+    return sqrt(rest * first * first + square * second * second)
+
+
 def others_sum(q, root):
     """ê₂ + ê₃ by ê₁.
 
@@ -498,6 +594,28 @@ def arc_kink_tip(first, delta, across, b, pole, root, others_sum, others_product
     )
 
 
+def gauss_square(square, total, below):
+    """sin²ψ′ of Gauss's step, which keeps the integral: a′ = (a + b)/2, b′ = √(ab); total = a + b, below = a + Δ.
+
+    Equation DLMF 19.8(iii); proved as swing.gauss_square.
+    """
+    return square * total * total / (below * below)
+
+
+def gauss_rest(first, second, square, rest, delta, below):
+    """cos²ψ′ of Gauss's step, without a difference; below = a + Δ.
+
+    Equation DLMF 19.8(iii); proved as swing.gauss_rest.
+    """
+    return (
+        2
+        * first
+        * rest
+        * (first + (first * first + square * second * second) / (delta + second * square))
+        / (below * below)
+    )
+
+
 def phase_bend(share, first_share, square, rest, across, delta):
     """kS′τ′/(1 + kS′) after Gauss's step, by k = (a − b)/(a + b) and 1 + k; τ = sin ψ cos ψ/Δ.
 
@@ -512,14 +630,6 @@ def lag_step(bend, share, second_share, square, rest):
     Equation DLMF 19.8(iii); proved as swing.lag_step.
     """
     return bend * share * rest / (rest + second_share * square)
-
-
-def gauss_gap(gap, total):
-    """a′ − b′ after Gauss's step, by gap = a − b and total = a′ + b′.
-
-    Equation DLMF 19.8(i); proved as swing.gauss_gap.
-    """
-    return 0.25 * gap * gap / total
 
 
 def arc_square(beta, first, second, root, y_apart, kink, turned, lag):
@@ -541,22 +651,6 @@ def strength(moment_there):
     Equation exsl17; proved as swing.strength.
     """
     return 0.25 * moment_there
-
-
-def point_pole(b, sine, cosine):
-    """x = ℘ − c by the sine and cosine of δ/2, or any two numbers in their ratio.
-
-    Equation exsl22; proved as swing.point_pole.
-    """
-    return b * cosine / sine
-
-
-def far_pair_root(end):
-    """√X₂√X₃ at the far turning point, by the rate of χ there.
-
-    Proved as swing.far_pair_root.
-    """
-    return 0.25 * end * end
 
 
 def point_near(b, sine, done_sine, left_sine):
@@ -581,6 +675,22 @@ def pair_root_sum(square, delta):
     Equation DLMF 19.26(iii); proved as swing.pair_root_sum.
     """
     return 2 * delta / sqrt(square)
+
+
+def point_pole(b, sine, cosine):
+    """x = ℘ − c by the sine and cosine of δ/2, or any two numbers in their ratio.
+
+    Equation exsl22; proved as swing.point_pole.
+    """
+    return b * cosine / sine
+
+
+def far_pair_root(end):
+    """√X₂√X₃ at the far turning point, by the rate of χ there.
+
+    Proved as swing.far_pair_root.
+    """
+    return 0.25 * end * end
 
 
 def chi_scale(square, rest, flat):
@@ -663,20 +773,20 @@ def unit_sine(over, under):
     return over / sqrt(over * over + under * under)
 
 
-def near_by_phase(square, rest, bend):
-    """X₁ by sin²ψ, cos²ψ and bend = a²/Δ.
-
-    Equation DLMF 19.25.35; proved as swing.near_by_phase.
-    """
-    return rest * bend * bend / square
-
-
 def chi_rate(square, rest, flat, scale):
     """The rate of χ over that at the turning points, by the phase.
 
     Equation DLMF 22.6(iii); proved as swing.chi_rate.
     """
     return (rest * rest + flat * (1 + rest)) / scale
+
+
+def near_by_phase(square, rest, bend):
+    """X₁ by sin²ψ, cos²ψ and bend = a²/Δ.
+
+    Equation DLMF 19.25.35; proved as swing.near_by_phase.
+    """
+    return rest * bend * bend / square
 
 
 def phase_ratio(share, square, rest):
@@ -711,52 +821,20 @@ def before_cosine(square, rest, ratio, by_square, by_rest, by_ratio, over):
     return (ratio * by_ratio * sqrt(square * by_square) + sqrt(rest * by_rest)) / over
 
 
-def back_below(first, second, square):
-    """2a(a + b)/(a + Δ) by sin²ψ′, for a > b: Gauss's step undone.
+def gauss_more(share, tan_square):
+    """by what share tan²ψ is more before Gauss's step than after it.
 
-    Equation DLMF 19.8(iii); proved as swing.back_below.
+    Equation DLMF 19.8(iii); proved as swing.gauss_more.
     """
-    return first + second + square * (first - second)
+    return share * (4 + 4 * tan_square - share) / ((2 - share) ** 2 + tan_square * (4 - 4 * share))
 
 
-def back_below_rest(first, second, rest):
-    """The same by cos²ψ′, for a < b: Gauss's step undone.
+def landen_more(share, tan_phase):
+    """by what share tan ψ is more before Landen's step than after it.
 
-    Equation DLMF 19.8(iii); proved as swing.back_below_rest.
+    Equation DLMF 19.8(ii); proved as swing.landen_more.
     """
-    return 2 * first - rest * (first - second)
-
-
-def back_move(first, gap, square, rest, below):
-    """by how much sin²ψ is more than sin²ψ′, with gap = a − b: Gauss's step undone.
-
-    Equation DLMF 19.8(iii); proved as swing.back_move.
-    """
-    return gap * square * rest * (below + 2 * first) / (below * below)
-
-
-def back_square(first, square, below):
-    """sin²ψ by sin²ψ′: Gauss's step undone.
-
-    Equation DLMF 19.8(iii); proved as swing.back_square.
-    """
-    return 4 * square * first * first / (below * below)
-
-
-def back_rest(first, second, gap, rest, below):
-    """cos²ψ by cos²ψ′, with gap = a − b: Gauss's step undone.
-
-    Equation DLMF 19.8(iii); proved as swing.back_rest.
-    """
-    return rest * (4 * first * second + rest * gap * gap) / (below * below)
-
-
-def point_speed(b, done_sine, x_near, pair_root):
-    """|θ_σ| by X₁ and √X₂√X₃.
-
-    Equation exsl8; proved as swing.point_speed.
-    """
-    return 4 * pair_root * done_sine * done_sine * sqrt(x_near) / b
+    return share * (1 + tan_phase * tan_phase) / (2 - share * (1 + tan_phase * tan_phase))
 
 
 def far_sine(first, rest, delta):
@@ -941,15 +1019,91 @@ def positive(name: str, value: object) -> mpf:
     return number
 
 
+def briefly(number):
+    """A number in a few digits."""
+    return nstr(number, 3)
+
+
+def within_turns(name, value):
+    """A real number that tells an angle to half the digits that there are, or an error that names the argument."""
+    number, widest = real(name, value), 1 / sqrt(epsilon())
+    if abs(number) > widest:
+        turns = "fewer than half of the digits tell where in its turn an angle lies; leave out whole turns"
+        raise ValueError(f"{name} must lie within ±{briefly(widest)}, got {value!r}: beyond, {turns}")
+    return number
+
+
+def index_limit(max_index):
+    """The largest index of equilibria that are wanted: None for no limit, or an integer ≥ 0."""
+    if max_index is None:
+        return None
+    limit = integer("max_index", max_index)
+    if limit < 0:
+        raise ValueError(f"max_index must not be negative, got {max_index!r}")
+    return min(limit, 2**53)
+
+
+def too_large(beta, eta, length):
+    """Whether γ, the energy or a place is too large: of numbers or of arrays."""
+    load = beta + eta
+    return (load > LARGEST) | (load * length > LARGEST) | (length > LARGEST)
+
+
+def refused(loads, why):
+    """The error of a rod that is refused."""
+    given = ", ".join(f"{name} = {briefly(value)}" for name, value in zip(loads._fields, loads, strict=True))
+    return ValueError(f"{given}: {why}")
+
+
+class Loads(Record):
+    """What tells how long a rod is for its stiffness."""
+
+    __slots__ = ()
+
+    beta: Any
+    eta: Any
+    length: Any
+
+
+def must_be_finite(beta, eta, length):
+    """ValueError where γ, the energy or a place would be too large for a number."""
+    if too_large(beta, eta, length):
+        why = "γ, the energy or a place is too large for a double; choose another unit of length"
+        raise refused(Loads((beta, eta, length)), why)
+
+
+def too_many(beta, eta, length, most):
+    """Whether more equilibria are wanted than are found at once: of numbers or of arrays.
+
+    No index is more than ℓ√(β + η)/π by more than one (Sturm), and about two equilibria have the same.
+    """
+    half, least = MANY / 2, pi * MANY / 2
+    return ((beta + eta) * length * length > least * least) & (most is None or most >= half)
+
+
+def must_have_answer(beta, eta, length, most):
+    """ValueError where numbers of the answer would be too large, or there are too many equilibria to find them all.
+
+    most: the largest index that is wanted, or None for all.
+    """
+    must_be_finite(beta, eta, length)
+    if too_many(beta, eta, length, most):
+        slow = length * sqrt(beta + eta)
+        why = f"ℓ√(β + η) = {briefly(slow)}, so some {briefly(2 * slow / pi)} equilibria have indices up to half that"
+        raise ValueError(f"max_index must be given here, and be less than {MANY // 2}: {why}")
+
+
 def weak_rod(beta, eta, length, clamp_angle, field_angle):
     """The rod that is all but straight: θ″ is that of the clamp angle, to the square of rounding."""
     rod = Rod((beta, eta, length, clamp_angle, field_angle, 1, 0))
     lean = clamp_angle - field_angle
-    moment = beta * sin(clamp_angle) + eta * sin(lean) * cos(lean)
+    # Loads that are hardly numbers are numbers times the length.
+    force, magnet = beta * length, eta * length
+    bend = force * sin(clamp_angle) + magnet * sin(lean) * cos(lean)
+    energy = -(force * cos(clamp_angle) + magnet * cos(lean) * cos(lean) / 2)
     gamma = 2 * beta * cos(clamp_angle) + eta * cos(lean) * cos(lean)
-    tip = clamp_angle - moment * length * length / 2
     y, z = length * cos(clamp_angle), length * sin(clamp_angle)
-    return Equilibrium((tip, -moment * length, gamma, y, z, -gamma * length / 2, 0, rod, None))
+    return Equilibrium((clamp_angle - bend * length / 2, -bend, gamma, y, z, energy, 0, rod, None))
 
 
 def principal(field_angle):
@@ -1086,6 +1240,15 @@ def oblique_alone(eta, field_angle):
     )
 
 
+def astroid_cusp(field_angle):
+    """Where the second pair is born: tan³x = tan α (Stoner and Wohlfarth's astroid).
+
+    The pair lies at α + π + x with sin α/sin x + cos α/cos x = η/β: it is there when η/β is beyond the least value of
+    the left side, taken at this x.
+    """
+    return atan((sin(field_angle) / larger(cos(field_angle), epsilon())) ** (mpf(1) / 3))
+
+
 def twist(eta, x):
     """The couple of the field on a rod turned by x from it."""
     return eta * sin(x) * cos(x)
@@ -1098,19 +1261,12 @@ def couple_beyond(beta, eta, lean, turn):
     return pick(2 * beta < eta, twist(eta, turn) - beta * across, couple)
 
 
-def astroid_cusp(field_angle):
-    """Where the second pair is born: tan³x = tan α (Stoner and Wohlfarth's astroid).
-
-    The pair lies at α + π + x with sin α/sin x + cos α/cos x = η/β: it is there when η/β is beyond the least value of
-    the left side, taken at this x.
-    """
-    return atan((sin(field_angle) / larger(cos(field_angle), epsilon())) ** (mpf(1) / 3))
-
-
 def has_second_pair(beta, eta, field_angle):
     """Whether the field is strong enough for a second hill and well."""
     lean = pick(field_angle > pi / 4, -less_quarters(field_angle, 1), field_angle)
-    return couple_beyond(beta, eta, lean, astroid_cusp(lean)) > 4 * epsilon() * (beta + eta)
+    cusp = astroid_cusp(lean)
+    # Beside the force the couple is as small as the sine, and so is its rounding.
+    return couple_beyond(beta, eta, lean, cusp) > 4 * epsilon() * (beta + eta) * sin(lean + cusp)
 
 
 def narrowed(low, high, value_low, value_high, place, value):
@@ -1269,7 +1425,8 @@ def with_shoulder(beta, eta, field_angle, scene):
     lean = pick(steep, -less_quarters(field_angle, 1), field_angle)
     cusp = astroid_cusp(lean)
     # Of the couple rounding may leave nothing, or less.
-    place, couple = lean + cusp, -larger(-couple_beyond(beta, eta, lean, cusp), epsilon() * (beta + eta))
+    place = lean + cusp
+    couple = -larger(-couple_beyond(beta, eta, lean, cusp), epsilon() * (beta + eta) * sin(place))
     stiffness = couple * cos(place) / sin(place)
     shoulder = Rest((2, place, 0, stiffness, cos(2 * cusp), sin(2 * cusp)))
     if any_of(steep):
@@ -1320,6 +1477,11 @@ def offset_from(rest, angle, turns):
     return pick((abs(offset) <= blur) | (abs(offset) < epsilon() ** 9), 0, offset)
 
 
+def turn_to(start, end):
+    """The angle from one direction without moment to another, however near they are to each other."""
+    return (end.quarters - start.quarters) * (pi / 2) + (end.extra - start.extra)
+
+
 class Clamp(Record):
     """The clamp angle in a landscape: whole turns, and its offset from each direction without moment."""
 
@@ -1338,28 +1500,167 @@ def clamp_in(rests, angle):
         if not any_of(shift != 0):
             break
         turns = turns + shift
+    # One that counts as a direction without moment is as far from the others as that is.
+    for there, met in zip(rests, offsets, strict=True):
+        if any_of(met == 0):
+            apart = zip(rests, offsets, strict=True)
+            offsets = tuple(pick(met == 0, turn_to(rest, there), offset) for rest, offset in apart)
     return Clamp((turns, offsets))
 
 
-def miss_of(beta, eta, field_angle, clamp_angle, offset):
-    """The angle at arc length 0 of a motion from a tip at an offset from the clamp angle, less the clamp angle.
+def mirrored_clamp(scene, other, clamp, mirrored):
+    """The clamp seen from the other side of the y axis, in the landscape there; mirrored: the clamp angle there."""
+    if clamp.offsets[0] > 0 and other.rests[0].angle == -scene.rests[0].angle:  # number by number the same
+        return Clamp((-1 - clamp.turns, tuple([-offset for offset in clamp.offsets[::-1]])))
+    return clamp_in(other.rests, mirrored)
 
-    The rod's length is 1.
+
+def ridge_fall(beta, eta, field_angle, hill, ridge):
+    """V(hill) − V(ridge): the sine of half their distance times the slope of V between, as if it were a circle."""
+    half, middle = (ridge.extra - hill.extra) / 2, pi / 2 + (hill.extra + ridge.extra) / 2
+    return cos(half) * (2 * beta * sin(middle) - eta * sin(half) * sin(2 * (middle - field_angle)))
+
+
+class Ridge(Record):
+    """A ridge that is lower than the hill; all are 0 where none is.
+
+    drop: V(hill) − V(ridge). level: from the hill to the level of the ridge, depth: from there to the well; by_hill:
+    level is told by the hill, depth by the well if not.
     """
-    tip = clamp_angle + offset
-    double = 2 * (tip - field_angle)
-    along, across, half = beta * cos(tip), beta * sin(tip), eta / 2 * sin(double)
-    p, m, q = across + half, across - half, along + eta * cos(double)
-    quarter, c = p * m / 4, q / 12
-    g2, g3 = q * c - quarter, (quarter - q * q / 18) * c - along * p * p / 16
-    # ℘(1) by the series at 1/8 and three doublings.
-    a, b, fourth, twice = g2 / 81920, g3 / 7340032, g2 / 4, 2 * g3
-    value = 64 * (1 + a + b + a * a / 3 + a * b * (mpf(3) / 11) + (2 * a * a * a / 3 + b * b) / 13)
-    for _ in range(3):
-        squared = value * value
-        above = squared + fourth
-        value = (above * above + twice * value) / (value * (4 * squared - g2) - g3)
-    return offset + 2 * atan2(p / 4, value - c)
+
+    __slots__ = ()
+
+    drop: mpf
+    level: mpf
+    depth: mpf
+    by_hill: bool
+
+
+def ridge_along(beta, eta, drop):
+    """The ridge for a field along the force: with cos θ = 1 − 2β/η at its level, and −β/η at the well."""
+    more, less, root = sqrt(eta + beta), eta - beta, sqrt(beta)
+    level = 2 * atan2(root, sqrt(less))
+    # tan of half the difference of the two.
+    depth = 2 * atan2(eta * sqrt(less), (more + root) * (less + root * more))
+    return Ridge((drop, level, depth, level < depth))
+
+
+def fall_from_rest(eta, stiffness, double_cosine, double_sine, middle, half):
+    """V(middle − half) − V(middle + half), with both angles measured from a direction without moment."""
+    return rest_fall(
+        eta,
+        stiffness,
+        double_cosine,
+        double_sine,
+        sin(middle / 2),
+        cos(middle / 2),
+        sin(half / 2),
+        cos(half / 2),
+    )
+
+
+def fall(eta, rest, start, change):
+    """V(start) − V(start + change), from a start measured from a direction without moment."""
+    half = change / 2
+    return fall_from_rest(eta, rest.stiffness, rest.double_cosine, rest.double_sine, start + half, half)
+
+
+def step_to(eta, rest, offset, goal):
+    """Newton's step to where the square root of the change of V from a direction without moment is ``goal``, and by
+    how much its slope changes half way there, as a share of it."""
+    small, large = sin(offset / 4), cos(offset / 4)
+    sine, cosine = 2 * small * large, 1 - 2 * small * small
+    level = rest_fall(eta, rest.stiffness, rest.double_cosine, rest.double_sine, small, large, small, large)
+    force = abs(rest_moment(eta, rest.stiffness, rest.double_cosine, rest.double_sine, sine, cosine))
+    here, force = sqrt(abs(level)), larger(force, epsilon() ** 20)
+    whole_sine, whole_cosine = 2 * sine * cosine, 1 - 2 * sine * sine
+    # dθ″/dθ, by β and α as the direction has them.
+    turned = rest.double_cosine * (2 * whole_cosine * whole_cosine - 1 - whole_cosine)
+    turned = turned - rest.double_sine * whole_sine * (2 * whole_cosine - 0.5)
+    bend = (rest.stiffness * whole_cosine + eta * turned) * (here / force) * (here / force)
+    share = (here - goal) / larger(here, epsilon() ** 20)
+    return 2 * here * (here - goal) / force, share * (pick(level < 0, -bend, bend) - 0.5)
+
+
+def reach(eta, rest, amount, most, side):
+    """The distance from a hill (or a well) at which V is lower (or higher) by ``amount``, to one side.
+
+    most: the distance of the next well (or hill). Halley's method for the square root of the difference, which is
+    nearly linear, from the pendulum's value.
+    """
+    amount = larger(amount, 0)  # of a hill and a well that nearly meet, rounding may give less
+    share = amount / larger(abs(fall(eta, rest, 0, side * most)), epsilon() ** 20)
+    near = most * asin(sqrt(pick(share < 1, share, 1))) * (2 / pi)
+    goal = sqrt(amount)
+    for _ in range(40):
+        step, bent = step_to(eta, rest, side * near, goal)
+        safe = abs(bent) < 0.5
+        trial = near - step / pick(safe, 1 - bent, 1)
+        trial = pick(trial > most, (near + most) / 2, pick(trial < 0, near / 2, trial))
+        # The method cubes the error, and Newton's squares it: after steps this small the next would change nothing.
+        small = pick(safe, spacing(trial) ** mpf("0.45"), spacing(trial) ** mpf("0.6"))
+        moving, near = abs(trial - near) > small * near, trial
+        if not any_of(moving):
+            break
+    return near
+
+
+def ridge_at(beta, eta, field_angle, rests, drop):
+    """The ridge that is lower by ``drop`` than the hill."""
+    if any_of(field_angle == 0):
+        return ridge_along(beta, eta, drop)
+    down, above = turn_to(rests[0], rests[1]), fall(eta, rests[2], 0, turn_to(rests[2], rests[1]))
+    # Of a ridge that is next to its wells V tells at the hill nothing.
+    by_hill = drop < above
+    rest, amount = pick_rest(by_hill, rests[0], rests[1]), pick(by_hill, drop, above)
+    distance = reach(eta, rest, amount, down, pick(by_hill, 1, -1))
+    level, depth = pick(by_hill, distance, down - distance), pick(by_hill, down - distance, distance)
+    return Ridge((drop, level, depth, by_hill))
+
+
+def ridge_of(beta, eta, field_angle, scene):
+    """The ridge of a landscape, seen from its first hill."""
+    drop = 0
+    if len(scene.rests) != 3 and not scene.level:
+        drop = ridge_fall(beta, eta, field_angle, scene.rests[0], scene.rests[2])
+    # A ridge lower by less than this would be passed only from within its square root of the hill.
+    if drop <= epsilon() ** 17 * (beta + eta):
+        return Ridge((0, 0, 0, True))
+    return ridge_at(beta, eta, field_angle, scene.rests, drop)
+
+
+def miss_of(beta, eta, field_angle, clamp_angle, slow):
+    """The angle at arc length 0 of a motion from a tip, less the clamp angle: a function of the tip's offset from it.
+
+    The rod's length is 1; slow: √(β + η).
+    """
+    # ℘ by its series on a part of the rod, and by as many doublings as make that the whole.
+    doublings, share = 0, 1.0
+    while slow * share > mpf("0.6"):
+        doublings, share = doublings + 1, share / 2
+    force, field, steps = beta * share * share, eta * share * share, range(doublings)
+
+    def missed(offset):
+        tip = clamp_angle + offset
+        double = 2 * (tip - field_angle)
+        across, half = force * sin(tip), field / 2 * sin(double)
+        along, p, quarter = force * cos(tip), across + half, (across - half) * (across + half) / 4
+        c = (along + field * cos(double)) / 12
+        square = c * c
+        g2, g3 = 12 * square - quarter, (quarter - 8 * square) * c - along * p * p / 16
+        a, b, fourth, twice = g2 / 20, g3 / 28, g2 / 4, 2 * g3
+        value = (
+            1
+            + a * (1 + a * (mpf(1) / 3 + a * (mpf(2) / 39)) + b * (mpf(3) / 11 + a * (mpf(2) / 33)))
+            + b * (1 + b / 13)
+        )
+        for _ in steps:
+            squared = value * value
+            above = squared + fourth
+            value = (above * above + twice * value) / (value * (4 * squared - g2) - g3)
+        return offset + 2 * atan2(p / 4, value - c)
+
+    return missed
 
 
 def samples_apart(function, reach, sag):
@@ -1369,16 +1670,16 @@ def samples_apart(function, reach, sag):
     of zero it has none between if the sum of their square roots is more than the width times √sag; and where their
     sum is more than sag·width² it rises or falls all the way.
     """
-    places, values = [-reach], [function(-reach)]
-    todo, bound = [(reach, function(reach))], (1 + mpf("0.02")) * sag
+    before, start, bound = -reach, function(-reach), (1 + mpf("0.02")) * sag
+    places, values, todo = [before], [start], [(reach, function(reach)), (0, function(0))]
     while todo:
         place, value = todo[-1]
-        before, width = values[-1], place - places[-1]
-        apart = abs(value - before) if (value > 0) != (before > 0) else abs(value + before) + 2 * sqrt(value * before)
+        width, both = place - before, value * start
+        apart = abs(value - start) if both < 0 else abs(value + start) + 2 * sqrt(both)
         if apart > bound * width * width:
             places.append(place)
             values.append(value)
-            todo.pop()
+            before, start = todo.pop()
         elif width < 2.0 ** (-26) * reach:
             return None
         else:
@@ -1396,38 +1697,48 @@ class Shot(Record):
     rate: mpf
 
 
-def smooth_root(function, low, high, value_low, value_high, blur):
-    """A zero of a function that rises or falls all the way between two places, and its slope there, by secants.
+def smooth_root(function, places, values, sag, blur):
+    """A zero of a function that rises or falls all the way between the first two places, and its slope there.
 
-    Where the function is cheap and all but straight these take less time than polynomials. blur: a value that rounding
-    may have made of zero; values that differ by less than a thousand of it tell no slope.
+    By the zero of the parabola through the last three; where the function is cheap and all but straight that takes less
+    time than ``bracketed_root``. sag: half of what |f″| is nowhere more than. blur: a value that rounding may have made
+    of zero, or a chord too, so that a look would tell nothing.
     """
-    slope, rising = (value_high - value_low) / (high - low), value_high > value_low
-    place, value = (low, value_low) if abs(value_low) < abs(value_high) else (high, value_high)
-    while abs(value) > blur:
-        trial = place - value / slope
+    (place, before, third), (value, value_before, value_third) = places, values
+    low, high = (place, before) if place < before else (before, place)
+    rising = (value > 0) == (place == high)
+    while True:
+        chord = (value - value_before) / (place - before)
+        twist = ((value_before - value_third) / (before - third) - chord) / (third - place)
+        slope = chord - twist * (before - place)
+        bent = slope * slope - twist * value
+        step = value * slope / bent if bent != 0 else high - low
+        trial = place - step
         if not low < trial < high:
+            if abs(value) <= blur:
+                return place, slope
             trial = (low + high) / 2
             if not low < trial < high:
-                break
-        new = function(trial)
-        if (new > 0) == rising:
-            high = trial
+                return place, slope
+        elif abs(value) <= blur or sag * abs(step * (trial - before)) <= blur:
+            return trial, slope
+        third, value_third, before, value_before = before, value_before, place, value
+        place, value = trial, function(trial)
+        if (value > 0) == rising:
+            high = place
         else:
-            low = trial
-        if abs(new - value) > 1000 * blur:
-            slope = (new - value) / (trial - place)
-        place, value = trial, new
-    return place - value / slope, slope
+            low = place
 
 
-def zeros_between(function, places, values, reach):
-    """The zeros between the places, as Shots."""
+def zeros_between(function, places, values, sag, blur):
+    """The zeros between the places, as Shots; sag: as in ``samples_apart``. blur: what rounding may make of zero."""
     found = []
     for k in range(1, len(places)):
         if (values[k] > 0) != (values[k - 1] > 0):
-            span = places[k - 1], places[k], values[k - 1], values[k]
-            found.append(Shot(smooth_root(function, *span, mpf("1e-14") * reach)))
+            beside = k + 1 if k + 1 < len(places) else k - 2
+            near = (k - 1, k, beside) if abs(values[k - 1]) < abs(values[k]) else (k, k - 1, beside)
+            known = [places[i] for i in near], [values[i] for i in near]
+            found.append(Shot(smooth_root(function, *known, sag, blur)))
     return found
 
 
@@ -1440,35 +1751,163 @@ def tip_shots(beta, eta, field_angle, length, clamp_angle):
     clamp = less_quarters(clamp_angle, 4 * floor(clamp_angle / (2 * pi) + 0.5))
     if abs(beta * sin(clamp) + eta / 2 * sin(2 * (clamp - field_angle))) < mpf("1e-09"):
         return None
-
-    def missed(offset):
-        return miss_of(beta, eta, field_angle, clamp, offset)
-
+    missed = miss_of(beta, eta, field_angle, clamp, slow)
     # θ″ is nowhere more than β + η/2, and no motion is wider than a turn.
     reach = (1 + mpf("0.001")) * min((beta + eta / 2) / 2, 2 * pi)
-    samples = samples_apart(missed, reach, shot_bend(beta, eta, (exp(slow / 2) - exp(-slow / 2)) ** 2 / 2) / 2)
-    return None if samples is None else zeros_between(missed, samples[0], samples[1], reach)
+    sag = shot_bend(beta, eta, (exp(slow / 2) - exp(-slow / 2)) ** 2 / 2) / 2
+    samples = samples_apart(missed, reach, sag)
+    return None if samples is None else zeros_between(missed, samples[0], samples[1], sag, mpf("4e-16") * reach)
 
 
-def mirror_shots(shots):
-    """The tips of the rod seen from the other side of the y axis."""
-    return [Shot((-shot.offset, shot.rate)) for shot in shots[::-1]]
+class Ground(Record):
+    """What the ranges of a rod are told by: its landscape, the clamp's offsets from its directions, and the ridge.
 
-
-class Delay(Record):
-    """By how much a motion lasts longer when the place goes deeper by one, where that is all that changes.
-
-    Near an end the rod is straight for long along the directions at which the motion nearly rests: at the tip, in the
-    middle, and at the far turning point. arrival: the share of ``middle`` before the first arrival.
+    drop, level, depth, by_hill: see ``Ridge``; height: V(ridge) − V(clamp), or 0 where no ridge is lower than the hill.
     """
 
     __slots__ = ()
 
-    deepest: mpf
-    tip: mpf
-    middle: mpf
-    far: mpf
+    eta: mpf
+    scene: Landscape
+    at: tuple[mpf, ...]
+    drop: mpf
+    level: mpf
+    depth: mpf
+    by_hill: bool
+    height: mpf
+
+
+def ridge_ground(eta, scene, at, ridge):
+    """The ground with a lower ridge."""
+    rests = scene.rests
+    # Near the far hill V says which is higher only by the distance from that hill.
+    height = pick(at[2] < -at[4], fall(eta, rests[2], 0, at[2]), fall(eta, rests[4], 0, at[4]) - ridge.drop)
+    return Ground((eta, scene, at, ridge.drop, ridge.level, ridge.depth, ridge.by_hill, height))
+
+
+def level_ground(eta, scene, at):
+    """The ground without a ridge lower than the hill."""
+    return Ground((eta, scene, at, 0, 0, 0, True, 0))
+
+
+def ground_of(eta, scene, clamp, ridge):
+    """The ground of a rod."""
+    if ridge.drop > 0:
+        return ridge_ground(eta, scene, clamp.offsets, ridge)
+    if len(scene.rests) != 3 and not scene.level:
+        scene = scene._replace(level=True, even=True)
+    return level_ground(eta, scene, clamp.offsets)
+
+
+class Phase(Record):
+    """Where on its half-swing the motion meets the clamp.
+
+    The length from the tip is ∫dψ/√(a² cos²ψ + b² sin²ψ) from 0 to ψ, with a and b half of ``end`` and ``middle``; the
+    half-swing ends at ψ = π/2. whole, delta: what the speed there follows from.
+    """
+
+    __slots__ = ()
+
+    square: mpf  # sin²ψ
+    rest: mpf  # cos²ψ
+    whole: mpf
+    delta: mpf
+
+
+def phase_of(motion):
+    """The phase of the clamp: χ by the half-angle sines, and ψ by χ."""
+    near, far, end = sqrt(motion.near), sqrt(motion.far), motion.end
+    done, left = motion.done_sine, motion.left_sine
+    whole = phase_sum(near, far, done, left)
+    gap = sin((motion.left - motion.done) / 4)
+    behind, ahead = far * done / whole, near * left / whole
+    lead = phase_lead(near, motion.half_cosine, motion.uneven, done, gap) / whole
+    # Of two sums for the same that which has the smaller terms rounds less.
+    cosine = pick(near * abs(left - done) + abs(motion.uneven) * done < whole, lead, ahead - behind)
+    # Not zero: at the tip itself the motion has no point by ℘.
+    square = larger(chi_square(behind, ahead), epsilon() ** 19)
+    size, first = abs(cosine), cosine >= 0
+    delta = hypot(end * cosine, motion.middle * sqrt(square))
+    half = pick(first, half_square(end, square, size, delta), half_square_beyond(end, size, delta))
+    rest = pick(first, half_rest(end, size, delta), half_rest_beyond(end, motion.middle, square, size, delta))
+    return Phase((half, rest, whole, delta))
+
+
+def small_steps(a, b):
+    """What each step takes from the larger one of two numbers to their mean, twice, as shares of it; and the mean.
+
+    The two are a and b for Gauss's steps, a and √(a² − b²) for Landen's, which go on until nothing is left of b.
+    """
+    ratio = b / a
+    if ratio > mpf("0.7"):
+        gap, least = a - b, epsilon() / 8
+    else:
+        gap, least = b * (b / (a + sqrt((a - b) * (a + b)))), epsilon() * ratio * ratio / 8
+    shares, large, less = [gap / a], a, gap / 2
+    while True:
+        next_one = large - gap / 2
+        gap = gauss_gap(gap, next_one + sqrt(large * (large - gap)))
+        if gap <= least * large:
+            return shares, a - less
+        shares.append(gap / next_one)
+        large, less = next_one, less + gap / 2
+
+
+def descended(tangent, shares, ratio):
+    """tan ψ after Landen's steps. ratio: of the rates before them."""
+    for share in shares:
+        bent = ratio * tangent
+        root = landen_root(bent)
+        less = landen_less(share, bent, root)
+        tangent = tangent - tangent * less if less < 0.25 else landen_tangent(share, tangent, root)
+        ratio = share / (2 - share)
+    return tangent
+
+
+def swing_and_arrival(a, b, square, rest):
+    """The complete and the incomplete integral of 1/√(a² cos²ψ + b² sin²ψ), by sin²ψ and cos²ψ."""
+    tangent = sqrt(square / (rest if rest > 0 else epsilon() ** 19))
+    if a < b:
+        a, b, tangent = b, a, tangent_exchanged(a, b, tangent)
+    shares, mean = small_steps(a, b)
+    ratio = b / a
+    if ratio > mpf("0.7"):
+        # Beyond this ψ is a right angle to rounding, and cubes of the tangent may overflow.
+        tangent = min(tangent, epsilon() ** -2)
+        square = tangent * tangent
+        for share in shares:
+            root, other_root = sqrt(1 + square), sqrt(1 + (1 - share) * (1 - share) * square)
+            square = square - square * gauss_less(share, root, other_root)
+        return pi / (2 * mean), atan(sqrt(square)) / mean
+    first = shares[0]
+    # The half-swing ends where the tangent is infinite: after a step it is not.
+    whole = descended((2 - first) / ratio, shares[1:], first / (2 - first))
+    return asinh(whole) / mean, asinh(descended(tangent, shares, ratio)) / mean
+
+
+class Sample(Record):
+    """Half-swing and first arrival at a place of a piece, and of what they are: the motion and its phase at the clamp.
+
+    The motion alone has the half-swing and the arrival without the lengths for which it stays anywhere.
+    """
+
+    __slots__ = ()
+
+    place: mpf
+    swing: mpf
     arrival: mpf
+    stay: Stay
+    phase: Phase
+    regular: tuple[mpf, mpf]
+
+
+def sample_of(place, stay):
+    """The sample of a motion."""
+    motion = stay.motion
+    phase = phase_of(motion)
+    regular = swing, arrival = swing_and_arrival(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
+    swing, arrival = swing + stay.tip + stay.middle + stay.far, arrival + stay.tip + stay.arrival
+    return Sample((place, swing, arrival, stay, phase, regular))
 
 
 class Basin(Record):
@@ -1526,25 +1965,6 @@ def moment_from_rest(eta, stiffness, double_cosine, double_sine, offset):
     return rest_moment(eta, stiffness, double_cosine, double_sine, sin(offset / 2), cos(offset / 2))
 
 
-def fall_from_rest(eta, stiffness, double_cosine, double_sine, middle, half):
-    """V(middle − half) − V(middle + half), with both angles measured from a direction without moment."""
-    return rest_fall(
-        eta,
-        stiffness,
-        double_cosine,
-        double_sine,
-        sin(middle / 2),
-        cos(middle / 2),
-        sin(half / 2),
-        cos(half / 2),
-    )
-
-
-def turn_to(start, end):
-    """The angle from one direction without moment to another, however near they are to each other."""
-    return (end.quarters - start.quarters) * (pi / 2) + (end.extra - start.extra)
-
-
 def within(sine):
     """A sine that rounding may have brought beyond 1."""
     return pick(sine < 1, sine, 1)
@@ -1574,57 +1994,11 @@ def parallel_side(beta, eta, piece, rise, drop, from_hill, depth):
     return (up + depth) / 2, left, 4 * eta * dip * low * high, distance
 
 
-def fall(eta, rest, start, change):
-    """V(start) − V(start + change), from a start measured from a direction without moment."""
-    half = change / 2
-    return fall_from_rest(eta, rest.stiffness, rest.double_cosine, rest.double_sine, start + half, half)
-
-
 def tip_fall(eta, piece, change, rise, drop):
     """V(tip) − V(tip + change), for a tip that is told from the low and the high end of its range."""
     from_hill, depth = piece.low_offset + rise, piece.high_depth + drop
     upper = from_hill < depth
     return fall(eta, pick_rest(upper, piece.basin.hill, piece.basin.well), pick(upper, from_hill, -depth), change)
-
-
-def step_to(eta, rest, offset, goal):
-    """Newton's step to where the square root of the change of V from a direction without moment is ``goal``, and by
-    how much its slope changes half way there, as a share of it."""
-    small, large = sin(offset / 4), cos(offset / 4)
-    sine, cosine = 2 * small * large, 1 - 2 * small * small
-    level = rest_fall(eta, rest.stiffness, rest.double_cosine, rest.double_sine, small, large, small, large)
-    force = abs(rest_moment(eta, rest.stiffness, rest.double_cosine, rest.double_sine, sine, cosine))
-    here, force = sqrt(abs(level)), larger(force, epsilon() ** 20)
-    whole_sine, whole_cosine = 2 * sine * cosine, 1 - 2 * sine * sine
-    # dθ″/dθ, by β and α as the direction has them.
-    turned = rest.double_cosine * (2 * whole_cosine * whole_cosine - 1 - whole_cosine)
-    turned = turned - rest.double_sine * whole_sine * (2 * whole_cosine - 0.5)
-    bend = (rest.stiffness * whole_cosine + eta * turned) * (here / force) * (here / force)
-    share = (here - goal) / larger(here, epsilon() ** 20)
-    return 2 * here * (here - goal) / force, share * (pick(level < 0, -bend, bend) - 0.5)
-
-
-def reach(eta, rest, amount, most, side):
-    """The distance from a hill (or a well) at which V is lower (or higher) by ``amount``, to one side.
-
-    most: the distance of the next well (or hill). Halley's method for the square root of the difference, which is
-    nearly linear, from the pendulum's value.
-    """
-    amount = larger(amount, 0)  # of a hill and a well that nearly meet, rounding may give less
-    share = amount / larger(abs(fall(eta, rest, 0, side * most)), epsilon() ** 20)
-    near = most * asin(sqrt(pick(share < 1, share, 1))) * (2 / pi)
-    goal = sqrt(amount)
-    for _ in range(40):
-        step, bent = step_to(eta, rest, side * near, goal)
-        safe = abs(bent) < 0.5
-        trial = near - step / pick(safe, 1 - bent, 1)
-        trial = pick(trial > most, (near + most) / 2, pick(trial < 0, near / 2, trial))
-        # The method cubes the error, and Newton's squares it: after steps this small the next would change nothing.
-        small = pick(safe, spacing(trial) ** mpf("0.45"), spacing(trial) ** mpf("0.6"))
-        moving, near = abs(trial - near) > small * near, trial
-        if not any_of(moving):
-            break
-    return near
 
 
 def reach_either(eta, hill, well, by_hill, amount, most):
@@ -1700,27 +2074,25 @@ def shoulder_moment(eta, basin, offset):
     return basin.moment * cos(offset) + slope(eta, basin.shoulder, offset)
 
 
-class Turn(Record):
-    """A far turning point beside a shoulder: what a motion is told by where V is all but level there.
-
-    lean: from the field to the turning point, less a half of half the width, but for half turns; it is zero where three
-    of the four directions at which V is that of the tip are one. stiffness: dθ″/dθ there.
-    """
+class End(Record):
+    """An end of a motion beside a shoulder: the far turning point or the tip, and dθ″/dθ there."""
 
     __slots__ = ()
 
-    lean: mpf
+    is_far: bool
     stiffness: mpf
 
 
-def turn_beside(eta, piece, rise, drop, turn):
-    """A turning point at this angle from the shoulder."""
-    basin = piece.basin
+def stiffness_from_rest(eta, stiffness, double_cosine, double_sine, offset):
+    """dθ″/dθ at an offset from a direction without moment."""
+    return stiffness_beside(eta, stiffness, double_cosine, double_sine, sin(offset / 2), cos(offset / 2))
+
+
+def shoulder_stiffness(eta, basin, offset):
+    """dθ″/dθ at an offset from the shoulder."""
     rest = basin.shoulder
-    lean = basin.lean + (3 * turn + (rise if piece.low_kind == "shoulder" else -drop)) / 4
-    sine, cosine = sin(turn), cos(turn)
-    bent = 2 * rest.double_cosine * sin(1.5 * turn) * sin(turn / 2) + rest.double_sine * sine * (2 * cosine - 0.5)
-    return Turn((lean, rest.stiffness * cosine - basin.moment * sine - eta * bent))
+    stiffness = stiffness_from_rest(eta, rest.stiffness, rest.double_cosine, rest.double_sine, offset)
+    return stiffness - basin.moment * sin(offset)
 
 
 def shoulder_side(eta, piece, rise, drop, done, left, by_hill, distance):
@@ -1748,9 +2120,8 @@ def shoulder_side(eta, piece, rise, drop, done, left, by_hill, distance):
         moment = slope(eta, basin.far, -distance) if by_hill else slope(eta, basin.far_well, well_offset)
         moment = min(moment, -4 * epsilon() * beside)
     far_distance = distance if by_hill and not near else piece.far_gap - left
-    divided = near and "shoulder" in (piece.low_kind, piece.high_kind)
-    there = turn_beside(eta, piece, rise, drop, turn) if divided else None
-    return (done + left) / 2, left, -moment, far_distance, there
+    end = End((True, shoulder_stiffness(eta, basin, turn))) if near else None
+    return (done + left) / 2, left, -moment, far_distance, end
 
 
 def beyond_clamp(eta, piece, rise, drop, rough):
@@ -1802,15 +2173,28 @@ def far_side(eta, field_angle, piece, rise, drop, depth, done, height):
     return half_width, left, far_moment, pick(by_hill, distance, down - distance), None
 
 
-def beside_shoulder(eta, basin, from_hill, offset, moment):
-    """θ″ at the tip, by the shoulder if that is nearer than the hill or well by whose offset it was told."""
+def beside_shoulder(eta, basin, from_hill, offset, moment, end):
+    """θ″ at the tip, and the end of the motion that is beside the shoulder, if the shoulder is nearer to the tip than
+    the hill or well by whose offset it was told; else as they are given."""
     apart = from_hill - turn_to(basin.hill, basin.shoulder)
-    return shoulder_moment(eta, basin, apart) if 2 * abs(apart) < abs(offset) else moment
+    if 2 * abs(apart) >= abs(offset):
+        return moment, end
+    return shoulder_moment(eta, basin, apart), End((False, shoulder_stiffness(eta, basin, apart)))
 
 
-def unevenness(eta, field_angle, middle, sine, near, far):
-    """√far − √near: by the roots where they are apart, else by far − near = 2η sin 2(middle − α) sin(half_width)."""
-    by_turns = 2 * eta * sin(2 * (middle - field_angle)) * sine / (sqrt(near) + sqrt(far))
+def halfway(hill, far, axis):
+    """The angle from an axis to the middle of two hills, in which whole turns between them are no rounding."""
+    quarters = hill.quarters + far.quarters - 2 * axis.quarters
+    return quarters * (pi / 4) + ((hill.extra - axis.extra) + (far.extra - axis.extra)) / 2
+
+
+def unevenness(eta, axis, centre, sine, near, far):
+    """√far − √near: by the roots where they are apart, else by far − near = 2η sin 2(middle − α) sin(half_width).
+
+    centre: from the axis to the middle.
+    """
+    double = axis.double_sine * cos(2 * centre) + axis.double_cosine * sin(2 * centre)
+    by_turns = 2 * eta * double * sine / (sqrt(near) + sqrt(far))
     apart = (8 * near < far) | (8 * far < near) | (near + far < 2 * eta * sine)
     return pick(apart, sqrt(far) - sqrt(near), by_turns)
 
@@ -1831,13 +2215,18 @@ def above_field(eta, basin, offset, turn, height):
     return (height + fall(eta, basin.axis, 0, offset)) / pick(turn == 0, 1, turn)
 
 
-def mean_less_field(eta, basin, centre, half_width, near, far, height, there, mean):
+def mean_less_field(eta, field_angle, basin, centre, half_width, near, far, height, beside, mean):
     """``mean`` − η: as it stands, or by the end of the motion or the ridge or well that is near where V is nearest to
     level."""
     apart = mean - eta
-    close = apart <= mpf("0.1") * eta
-    if there is not None:
-        return larger(pick(close, far - 2 * eta * sin(there.lean) * sin(there.lean), apart), epsilon() * far / 4)
+    close = apart <= mpf("0.3") * eta
+    if beside is not None and any_of(field_angle != 0) and any_of(field_angle != pi / 2):
+        rate = far if beside.is_far else near
+        twist = end_twist(eta, rate, beside.stiffness, sin(half_width), cos(half_width))
+        # The cosine is positive, for a₀ − η is, and that is P′ less η(1 − cosine).
+        if rate < eta and abs(twist) < mpf("0.7"):
+            above = end_above(eta, rate, twist, sqrt((1 - twist) * (1 + twist)))
+            return larger(pick(close, above, apart), epsilon() * rate / 4)
     if any_of(close):
         # 2(axis − α), and 2(middle − α).
         axis = atan2(basin.axis.double_sine, basin.axis.double_cosine)
@@ -1857,21 +2246,20 @@ def mean_less_field(eta, basin, centre, half_width, near, far, height, there, me
     return larger(apart, least)
 
 
-def rates(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, there):
-    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle; there: the
-    far turning point, if it is beside a shoulder."""
+def rates(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, beside):
+    """dχ/dσ at the ends and in the middle of the motion. centre: from the slowest direction to the middle; beside:
+    the end that is beside a shoulder, if one is."""
     middle, cosine = basin.axis.angle + centre, cos(half_width)
     cos_middle, cos_double = cos(middle), cos(2 * (middle - field_angle))
     product = sqrt(near) * sqrt(far)
     excess = -(2 * beta * cos_middle * cosine + eta * cos_double * (1 + cosine * cosine))
-    if there is not None:
-        # The same: V at the ends of the motion is equal.
-        bent = eta * (1 + 2 * cosine * cosine) * sin(2 * there.lean) * sine
-        excess = far * sine * sine * cosine - 2 * there.stiffness * cosine * cosine - bent
+    if beside is not None and any_of(field_angle != 0) and any_of(field_angle != pi / 2):
+        # The same, for V at both ends is equal.
+        excess = end_excess(far if beside.is_far else near, beside.stiffness, cosine)
     split, rate = excess < 0, sqrt(product + larger(excess, 0))
     if any_of(split):
         mean = -(2 * beta * cos_middle + eta * cosine * cos_double)
-        apart = mean_less_field(eta, basin, centre, half_width, near, far, height, there, mean)
+        apart = mean_less_field(eta, field_angle, basin, centre, half_width, near, far, height, beside, mean)
         rate = pick(split, sine * sqrt(apart * (mean + eta) / pick(split, product - excess, 1)), rate)
     return sqrt(product / 2), rate / 2
 
@@ -1896,7 +2284,7 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     done, apart = piece.clamp_gap + drop, pick(upper, piece.past_hill - from_hill, piece.past_well + depth)
     done = pick(done < 0.5 * pick(upper, from_hill, abs(piece.past_well)), done, apart)
     depth = pick(upper, turn_to(hill, well) - from_hill, depth)
-    there = None
+    beside = None
     if basin.even:
         half_width = pick(upper, turn_to(hill, basin.axis) - from_hill, depth + turn_to(well, basin.axis))
         left = 2 * half_width - done if piece.high_kind != "turn" else drop
@@ -1906,21 +2294,21 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
         half_width = (done + left) / 2 if piece.high_kind == "turn" else half_width
     else:
         side = far_side(eta, field_angle, piece, rise, drop, depth, done, height)
-        half_width, left, far_moment, far_distance, there = side
+        half_width, left, far_moment, far_distance, beside = side
         if basin.shoulder is not None:
-            near_moment = beside_shoulder(eta, basin, from_hill, offset, near_moment)
+            near_moment, beside = beside_shoulder(eta, basin, from_hill, offset, near_moment, beside)
         near_moment = larger(near_moment, least_moment(basin) * abs(offset))
     # Where the motion is nearly a whole turn, what it lacks is told by the distances from the hills.
     lack = (from_hill + far_distance) / 2 if basin.whole else pi - half_width
     sine = sin(pick(lack < half_width, lack, half_width))
     near, far = 2 * near_moment / sine, 2 * far_moment / sine
-    uneven = 0 if basin.even else unevenness(eta, field_angle, tip + half_width, sine, near, far)
     # done/2 + left/2 = half_width: near half a turn one follows from the other.
     done_sine = sin(pick(done > pi, lack + left / 2, done / 2))
     left_sine = sin(pick(left > pi, lack + done / 2, left / 2))
     half_cosine = sin(lack / 2)
-    centre = half_width - depth - turn_to(well, basin.axis)
-    end, middle = rates(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, there)
+    centre = halfway(hill, basin.far, basin.axis) + (from_hill - far_distance) / 2
+    uneven = 0 if basin.even else unevenness(eta, basin.axis, centre, sine, near, far)
+    end, middle = rates(beta, eta, field_angle, basin, centre, half_width, sine, near, far, height, beside)
     return Motion(
         (
             tip,
@@ -1942,94 +2330,10 @@ def motion_at(beta, eta, field_angle, piece: Piece, place):
     )
 
 
-def stay_at(beta, eta, field_angle, piece, ends, place):
-    """The motion of the tip at a place, however deep."""
-    low, high = ends
-    delay = low if place < 0 else high
-    depth = min(abs(place), delay.deepest)
-    more = abs(place) - depth
-    motion = motion_at(beta, eta, field_angle, piece, -depth if place < 0 else depth)
-    return Stay((motion, more * delay.tip, more * delay.middle, more * delay.far, more * delay.arrival))
-
-
-class Phase(Record):
-    """Where on its half-swing the motion meets the clamp.
-
-    The length from the tip is ∫dψ/√(a² cos²ψ + b² sin²ψ) from 0 to ψ, with a and b half of ``end`` and ``middle``; the
-    half-swing ends at ψ = π/2. whole, delta: what the speed there follows from.
-    """
-
-    __slots__ = ()
-
-    square: mpf  # sin²ψ
-    rest: mpf  # cos²ψ
-    whole: mpf
-    delta: mpf
-
-
-def phase_of(motion):
-    """The phase of the clamp: χ by the half-angle sines, and ψ by χ."""
-    near, far, end = sqrt(motion.near), sqrt(motion.far), motion.end
-    done, left = motion.done_sine, motion.left_sine
-    whole = phase_sum(near, far, done, left)
-    gap = sin((motion.left - motion.done) / 4)
-    behind, ahead = far * done / whole, near * left / whole
-    lead = phase_lead(near, motion.half_cosine, motion.uneven, done, gap) / whole
-    cosine = pick(abs(ahead - behind) > mpf("0.8"), ahead - behind, lead)
-    # Not zero: at the tip itself the motion has no point by ℘.
-    square = larger(chi_square(behind, ahead), epsilon() ** 19)
-    size, first = abs(cosine), cosine >= 0
-    delta = hypot(end * cosine, motion.middle * sqrt(square))
-    half = pick(first, half_square(end, square, size, delta), half_square_beyond(end, size, delta))
-    rest = pick(first, half_rest(end, size, delta), half_rest_beyond(end, motion.middle, square, size, delta))
-    return Phase((half, rest, whole, delta))
-
-
-def lengths(a, b, square, rest):
-    """The complete and the incomplete integral of 1/√(a² cos²ψ + b² sin²ψ), by sin²ψ and cos²ψ.
-
-    Gauss's transformation makes a and b equal (DLMF 19.8(i), 19.8(iii)); it is written in sums of positive terms only.
-    """
-    limit, more = 2 * epsilon() ** 0.5, any_of(a > 0)
-    while more:
-        more = any_of(abs(a - b) > limit * a)
-        delta = phase_rate(a, b, square, rest)
-        total, below = a + b, a + delta
-        square, rest = gauss_square(square, total, below), gauss_rest(a, b, square, rest, delta, below)
-        a, b = total / 2, sqrt(a * b)
-    mean = (a + b) / 2
-    return pi / (2 * mean), atan2(sqrt(square), sqrt(rest)) / mean
-
-
-class Sample(Record):
-    """Half-swing and first arrival at a place of a piece, and of what they are: the motion and its phase at the clamp.
-
-    The motion alone has the half-swing and the arrival without the lengths for which it stays anywhere.
-    """
-
-    __slots__ = ()
-
-    place: mpf
-    swing: mpf
-    arrival: mpf
-    stay: Stay
-    phase: Phase
-    regular: tuple[mpf, mpf]
-
-
-def sample_at(beta, eta, field_angle, piece, ends, place):
-    """The sample at a place."""
-    stay = stay_at(beta, eta, field_angle, piece, ends, place)
-    motion = stay.motion
-    phase = phase_of(motion)
-    regular = swing, arrival = lengths(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
-    swing, arrival = swing + stay.tip + stay.middle + stay.far, arrival + stay.tip + stay.arrival
-    return Sample((place, swing, arrival, stay, phase, regular))
-
-
 def speed_at(motion, phase):
     """|dθ/dσ| where the motion meets the clamp."""
-    return phase.delta * phase.whole / (motion.end * motion.sine) * sqrt(2 * motion.done_sine * motion.left_sine)
+    rate = phase.delta / motion.end
+    return turn_speed(motion.sine, motion.done_sine, motion.left_sine, phase.whole, rate)
 
 
 def excess(item, turns, sign, length):
@@ -2084,10 +2388,10 @@ def tip_on(beta, eta, field_angle, length, piece, drop, rate, long):
     place = log(rise / drop)
     if not abs(place) < DEEP:
         return None
-    ends = Delay((inf, 0, 0, 0, 0)), Delay((inf, 0, 0, 0, 0))  # no place is so deep
 
     def sample(there):
-        return sample_at(beta, eta, field_angle, piece, ends, there)
+        # No place is so deep that the rod is straight for a part of its length.
+        return sample_of(there, Stay((motion_at(beta, eta, field_angle, piece, there), 0, 0, 0, 0)))
 
     return crossing_near(sample, place, rate * rise * drop / piece.width, length, long)
 
@@ -2109,63 +2413,6 @@ def hits(beta, eta, field_angle, length, ranges, shots):
         if len(found) == len(shots):
             return found
     return None
-
-
-class Ground(Record):
-    """What the ranges of a rod are told by: its landscape and the clamp's offsets from the directions there.
-
-    drop: V(hill) − V(ridge); level: from the hill to the level of the ridge, depth: from there to the well; by_hill:
-    level is told by the hill, depth by the well if not; height: V(ridge) − V(clamp). They are 0 where no ridge is lower
-    than the hill.
-    """
-
-    __slots__ = ()
-
-    eta: mpf
-    scene: Landscape
-    at: tuple[mpf, ...]
-    drop: mpf
-    level: mpf
-    depth: mpf
-    by_hill: bool
-    height: mpf
-
-
-def level_ground(eta, scene, at):
-    """The ground without a ridge lower than the hill."""
-    return Ground((eta, scene, at, 0, 0, 0, True, 0))
-
-
-def ridge_fall(beta, eta, field_angle, hill, ridge):
-    """V(hill) − V(ridge): the sine of half their distance times the slope of V between, as if it were a circle."""
-    half, middle = (ridge.extra - hill.extra) / 2, pi / 2 + (hill.extra + ridge.extra) / 2
-    return cos(half) * (2 * beta * sin(middle) - eta * sin(half) * sin(2 * (middle - field_angle)))
-
-
-def ridge_ground(eta, scene, at, drop):
-    """The ground with a lower ridge."""
-    rests = scene.rests
-    down, above = turn_to(rests[0], rests[1]), fall(eta, rests[2], 0, turn_to(rests[2], rests[1]))
-    # Of a ridge that is next to its wells V tells at the hill nothing.
-    by_hill = drop < above
-    rest, amount = pick_rest(by_hill, rests[0], rests[1]), pick(by_hill, drop, above)
-    distance = reach(eta, rest, amount, down, pick(by_hill, 1, -1))
-    level, depth = pick(by_hill, distance, down - distance), pick(by_hill, down - distance, distance)
-    # Near the far hill V says which is higher only by the distance from that hill.
-    height = pick(at[2] < -at[4], fall(eta, rests[2], 0, at[2]), fall(eta, rests[4], 0, at[4]) - drop)
-    return Ground((eta, scene, at, drop, level, depth, by_hill, height))
-
-
-def ground_of(beta, eta, field_angle, scene, clamp):
-    """The ground of a rod."""
-    rests, at = scene.rests, clamp.offsets
-    if len(rests) == 3:
-        return level_ground(eta, scene, at)
-    drop = 0 if scene.level else ridge_fall(beta, eta, field_angle, rests[0], rests[2])
-    # A ridge lower by less than this would be passed only from within its square root of the hill.
-    if drop <= epsilon() ** 17 * (beta + eta):
-        return level_ground(eta, scene._replace(level=True, even=True), at)
-    return ridge_ground(eta, scene, at, drop)
 
 
 def in_basin(at, first, inside, builders):
@@ -2319,26 +2566,6 @@ def shoulder_fall(eta, basin, start, change):
     return fall(eta, basin.shoulder, start, change) + 2 * basin.moment * cos(start + half) * sin(half)
 
 
-def level_lean(eta, basin, level):
-    """The lean of a motion that turns at the shoulder, from a tip at this offset from the hill.
-
-    From the angles, and by Newton's method from the balance of V at both ends, in which the moment at the shoulder and
-    the stiffness there are factors.
-    """
-    rest, moment = basin.shoulder, basin.moment
-    cosine, sine = rest.double_cosine, rest.double_sine
-    lean = atan2(sine, cosine) / 2 - (turn_to(basin.hill, rest) - level) / 4
-    lean = rough = lean - pi * floor(lean / pi + 0.5)
-    lost, firm = moment * cosine - rest.stiffness * sine, rest.stiffness * cosine + moment * sine - eta * sine * sine
-    for _ in range(3):
-        small, large = sin(2 * lean), cos(2 * lean)
-        share = firm + eta * small * (2 * sine * cosine * large - (1 - 2 * sine * sine) * small)
-        bend = 2 * sine * cosine * (large * large - small * small) - 2 * (1 - 2 * sine * sine) * small * large
-        steep = large * share - small * lost + eta * small * bend
-        lean = lean - (lost * large + small * share) / (2 * steep) if steep != 0 else rough
-    return lean if abs(lean - rough) < 64 * epsilon() else rough
-
-
 def with_shoulder_level(eta, piece):
     """A range, or the two into which the level of the shoulder divides it where the motion turns about the shoulder."""
     basin = piece.basin
@@ -2363,14 +2590,12 @@ def with_shoulder_level(eta, piece):
     if width <= 0:
         return [piece]
     depth, gap = piece.high_depth + width, piece.clamp_gap + width
-    piece = piece._replace(basin=basin._replace(lean=level_lean(eta, basin, level)))
     first = piece._replace(high_kind="shoulder", width=level, high_depth=depth, clamp_gap=gap)
     return [first, piece._replace(low_kind="shoulder", low_offset=level, width=width)]
 
 
-def pieces(beta, eta, field_angle, scene, clamp):
+def pieces(eta, field_angle, ground):
     """All ranges of tip angles below the clamp angle, from low to high, one after the other as they are asked for."""
-    ground = ground_of(beta, eta, field_angle, scene, clamp)
     found = (build(ground) for here, build in ranges(ground) if here)
     if field_angle == 0 or field_angle == pi / 2:
         return found
@@ -2380,6 +2605,22 @@ def pieces(beta, eta, field_angle, scene, clamp):
 def slowness(hill):
     """Length per unit of the logarithm of the distance from a hill; a flat one is never come near enough to count."""
     return 1 / sqrt(hill.stiffness) if hill.stiffness > 0 else 0
+
+
+class Delay(Record):
+    """By how much a motion lasts longer when the place goes deeper by one, where that is all that changes.
+
+    Near an end the rod is straight for long along the directions at which the motion nearly rests: at the tip, in the
+    middle, and at the far turning point. arrival: the share of ``middle`` before the first arrival.
+    """
+
+    __slots__ = ()
+
+    deepest: mpf
+    tip: mpf
+    middle: mpf
+    far: mpf
+    arrival: mpf
 
 
 def ridge_offset(piece):
@@ -2404,6 +2645,21 @@ def delays(piece):
     ridge = slowness(basin.axis)
     behind = ridge_offset(piece)
     return low, Delay((depth, 0, ridge, 0, ridge if behind > 0 else ridge / 2 if behind == 0 else 0))
+
+
+def stay_at(beta, eta, field_angle, piece, ends, place):
+    """The motion of the tip at a place, however deep."""
+    low, high = ends
+    delay = low if place < 0 else high
+    depth = min(abs(place), delay.deepest)
+    more = abs(place) - depth
+    motion = motion_at(beta, eta, field_angle, piece, -depth if place < 0 else depth)
+    return Stay((motion, more * delay.tip, more * delay.middle, more * delay.far, more * delay.arrival))
+
+
+def sample_at(beta, eta, field_angle, piece, ends, place):
+    """The sample at a place."""
+    return sample_of(place, stay_at(beta, eta, field_angle, piece, ends, place))
 
 
 def least_arrival(beta, eta, piece, offset, left):
@@ -2465,7 +2721,7 @@ def beside_level(eta, piece):
 def grid(beta, eta, length, piece):
     """Places to begin with: near enough where the branches bend, and to where none of them is as short as the rod."""
     rounding = -log(epsilon())
-    slow = length * sqrt(beta + eta)
+    slow = (1 + 16 * epsilon()) * length * sqrt(beta + eta)  # of a very long rod rounding is more than the 6 below
     first = -2 * slow - 6 if piece.low_kind == "level" else -slow - 6
     first = min(first, -rounding) if piece.low_kind == "level" else first
     if piece.high_kind == "level":
@@ -2583,10 +2839,10 @@ def valley(sample, places, fallen, length):
     return found
 
 
-def bends(first, second, third, length):
+def bends(first, second, third, length, last):
     """Whether the curves bend so much at the second sample that a count may reach a whole number unseen beside it.
 
-    By how far the straight line through two samples misses the third.
+    Those beyond the last are not wanted. By how far the straight line through two samples misses the third.
     """
     share = (third.place - second.place) / (second.place - first.place)
     swing = third.swing - second.swing - share * (second.swing - first.swing)
@@ -2596,21 +2852,21 @@ def bends(first, second, third, length):
     for sign in (1, -1):
         for item in (first, second, third):
             count = (length - sign * item.arrival) / (2 * item.swing)
-            whole = floor(count + 0.5)
+            whole = min(floor(count + 0.5), last)
             if abs(count - whole) < reach and (whole > 0 or (whole == 0 and sign > 0)):
                 return True
     return False
 
 
-def refined(sample, samples, length):
+def refined(sample, samples, length, last):
     """More samples where half-swing or arrival bend between neighbours, as far as the rod's length is sensitive."""
     done, todo = [samples[0]], samples[:0:-1]
     while todo:
         before, after = done[-1], todo[-1]
-        apart = after.place - before.place > mpf("0.3")
+        apart = after.place - before.place > max(mpf("0.3"), 8 * epsilon() * abs(before.place))
         beside = [(done[-2], before, after)] if len(done) > 1 else []
         beside += [(before, after, todo[-2])] if len(todo) > 1 else []
-        if apart and any(bends(one, two, three, length) for one, two, three in beside):
+        if apart and any(bends(one, two, three, length, last) for one, two, three in beside):
             todo.append(sample((before.place + after.place) / 2))
         else:
             done.append(todo.pop())
@@ -2649,8 +2905,11 @@ def end_sample(piece, last):
     return None
 
 
-def samples_on(beta, eta, field_angle, length, piece, sample, short):
-    """Samples of a piece, near enough for all crossings; short: the rod is shorter than any half-swing."""
+def samples_on(beta, eta, field_angle, length, piece, sample, short, last):
+    """Samples of a piece, near enough for all crossings of whole numbers up to the last.
+
+    short: the rod is shorter than any half-swing.
+    """
 
     def too_low(place):
         return least_arrival(beta, eta, piece, *about(piece, place)) > (1 + mpf("1e-09")) * length
@@ -2669,15 +2928,18 @@ def samples_on(beta, eta, field_angle, length, piece, sample, short):
     # A motion that arrives before the stiffest pendulum is down arrives the sooner, the nearer its tip (Sturm).
     quarter = pi / 2 / sqrt(beta + eta)
     soon = (1 - mpf("1e-09")) * min(quarter, length) if short and piece.high_kind == "clamp" else 0
-    samples = refined(sample, sampled(sample, wanted, first, soon), length)
+    samples = refined(sample, sampled(sample, wanted, first, soon), length, last)
     end = end_sample(piece, samples[-1])
     return samples if end is None else [*samples, end]
 
 
-def between(samples, counts, k):
-    """The whole numbers from the lower count of a sample and that before it up to, but not at, the higher one."""
+def between(samples, counts, k, last):
+    """The whole numbers from the lower count of a sample and that before it up to, but not at, the higher one.
+
+    None beyond the last, of which a long rod may have too many to list.
+    """
     low, high = (counts[k - 1], counts[k]) if counts[k - 1] < counts[k] else (counts[k], counts[k - 1])
-    turns = range(max(ceil(low), 0), max(ceil(high), 0))
+    turns = range(max(ceil(low), 0), max(ceil(min(high, last + 0.5)), 0))
     if not turns:
         return []
     near = 4 * (samples[k].place - samples[k - 1].place)
@@ -2730,14 +2992,17 @@ def at_extremum(sample, triple, counts, length, sign):
     return [(goal, left, best, [right]), (goal, best, right, [left])]
 
 
-def brackets(sample, samples, counts, length, sign):
-    """(turns, sample, sample, those beside) for every whole number that the count crosses between the two samples."""
+def brackets(sample, samples, counts, length, sign, last):
+    """(turns, sample, sample, those beside) for every whole number that the count crosses between the two samples.
+
+    Those beyond the last are not wanted.
+    """
     found = []
     for k in range(1, len(samples)):
-        found += between(samples, counts, k)
+        found += between(samples, counts, k, last)
     for k in range(1, len(samples) - 1):
         before, here, after = counts[k - 1 : k + 2]
-        if (before - here) * (after - here) > 0:
+        if (before - here) * (after - here) > 0 and here < last + 1:
             found += at_extremum(sample, samples[k - 1 : k + 2], (before, here, after), length, sign)
     return found
 
@@ -2822,13 +3087,14 @@ def crossings(beta, eta, field_angle, length, piece, most):
 
     # No half-swing is shorter than that of the stiffest pendulum.
     short = length * sqrt(beta + eta) < pi
-    samples = samples_on(beta, eta, field_angle, length, piece, sample, short)
+    samples = samples_on(beta, eta, field_angle, length, piece, sample, short, (most + 1) / 2)
     found = []
     for sign in (1,) if short else (1, -1):
         counts = [(length - sign * item.arrival) / (2 * item.swing) for item in samples]
-        for turns, before, after, beside in brackets(sample, samples, counts, length, sign):
-            # At least 2·turns − 1 conjugate points, or one more on the branch that has gone on.
-            if (turns or sign > 0) and 2 * turns - (sign < 0) <= most:
+        # At least 2·turns − 1 conjugate points, or one more on the branch that has gone on.
+        last = (most + (sign < 0)) / 2
+        for turns, before, after, beside in brackets(sample, samples, counts, length, sign, last):
+            if (turns or sign > 0) and turns <= last:
                 found.append(crossing(sample, turns, sign, length, (before, after, *beside)))
     return found
 
@@ -2863,7 +3129,8 @@ def rj_pair(x, product, root_sum, p, lift, less, twist):
     one, two = start - x, 2 * start - pair
     both = start * start - start * pair + product * product
     reach = 5 * (abs(one) + abs(start - p) + sqrt(abs(both)))
-    target = (epsilon() / 4) ** 0.125
+    # Twice that of the largest departure from the mean, for these are added up.
+    target = 2 * (epsilon() / 4) ** 0.125
     scale, total = 1, 0
     while any_of(reach > target * scale * abs(fivefold)):
         root, root_p = sqrt(x), sqrt(p)
@@ -2873,14 +3140,14 @@ def rj_pair(x, product, root_sum, p, lift, less, twist):
             minus = lift - side
             cancels = abs(plus) < abs(minus)
             plus = pick(cancels, twist / (less * pick(cancels, minus, 1)), plus)
-        d = (root_p + root) * plus
+        share = 1 / ((root_p + root) * plus)  # one quotient of complex numbers, which take longer than products
         raised, lifted = lift + across, sqrt(x + product + across)
-        end = (root_p + root_p) * raised / d
-        total = total + arctan_share(twist / (scale * scale * scale * d * d), end) / (scale * d)
+        end = (root_p + root_p) * raised * share
+        total = total + arctan_share(twist * share * share, end) * share / scale
         pair = root_sum * (root_sum + 2 * root) / 4
-        x, p = (x + product + across) / 4, raised * 0.25  # a quotient of complex numbers takes longer
+        x, p = (x + product + across) / 4, raised * 0.25
         product, root_sum = root_sum * lifted / 4, sqrt(root_sum * (root_sum + 2 * root + 2 * lifted)) / 2
-        lift, fivefold = p + product, x + pair + (p + p)
+        lift, fivefold, twist = p + product, x + pair + (p + p), twist * 0.015625
         scale *= 4
     mean = fivefold / 5
     size = scale * mean
@@ -2890,10 +3157,21 @@ def rj_pair(x, product, root_sum, p, lift, less, twist):
     e3 = a * c + 2 * e2 * d + 4 * d * d * d
     e4 = (2 * a * c + e2 * d + 3 * d * d * d) * d
     e5 = a * c * d * d
-    low = -3 * e2 / 14 + e3 / 6 + 9 * e2 * e2 / 88 - 3 * e4 / 22 - 9 * e2 * e3 / 52 + 3 * e5 / 26
-    high = -e2 * e2 * e2 / 16 + 3 * e3 * e3 / 40 + 3 * e2 * e4 / 20 + 45 * e2 * e2 * e3 / 272
-    high = high - 9 * (e3 * e4 + e2 * e5) / 68
-    return (1 + low + high) / (scale * mean * sqrt(mean)) + 6 * total
+    bent = (
+        e2 * (mpf(9) / 88 - e2 * (mpf(1) / 16) + e3 * (mpf(45) / 272))
+        - e3 * (mpf(9) / 52)
+        + e4 * (mpf(3) / 20)
+        - e5 * (mpf(9) / 68)
+        - mpf(3) / 14
+    )
+    series = (
+        1
+        + e2 * bent
+        + e3 * (mpf(1) / 6 + e3 * (mpf(3) / 40) - e4 * (mpf(9) / 68))
+        - e4 * (mpf(3) / 22)
+        + e5 * (mpf(3) / 26)
+    )
+    return series / (scale * mean * sqrt(mean)) + 6 * total
 
 
 def shift(eta, heading, motion, point, root, square, rest):
@@ -2972,11 +3250,15 @@ class Point(Record):
     root_sum: mpf
 
 
-def far_point(motion):
-    """The far turning point."""
-    b = strength(motion.near_moment)
-    pole = point_pole(b, motion.sine, cos(motion.half_width))
-    return Point((b, pole, 0, far_pair_root(motion.end), motion.middle))
+def clamp_point(motion, phase):
+    """The point where the motion meets the clamp."""
+    b, done = strength(motion.near_moment), motion.done_sine
+    one = point_near(b, motion.sine, done, motion.left_sine)
+    product = pair_root(sqrt(motion.near), done, phase.whole, phase.delta / motion.end)
+    delta = phase_rate(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
+    # 2Δ/sin ψ is no less than ``middle``, the square of which may underflow.
+    root_sum = larger(pair_root_sum(phase.square, delta), motion.middle)
+    return Point((b, point_pole(b, done, cos(motion.done / 2)), one, product, root_sum))
 
 
 def with_stays(rod, heading, arc, basin, middle, far):
@@ -2992,17 +3274,6 @@ def with_stays(rod, heading, arc, basin, middle, far):
         y, z = y + extent * (cos(angle) - heading.cosine), z + extent * (sin(angle) - heading.sine)
         square = square + extent * turned
     return Arc((y, z, square))
-
-
-def clamp_point(motion, phase):
-    """The point where the motion meets the clamp."""
-    b, done = strength(motion.near_moment), motion.done_sine
-    one = point_near(b, motion.sine, done, motion.left_sine)
-    product = pair_root(sqrt(motion.near), done, phase.whole, phase.delta / motion.end)
-    delta = phase_rate(motion.end / 2, motion.middle / 2, phase.square, phase.rest)
-    # 2Δ/sin ψ is no less than ``middle``, the square of which may underflow.
-    root_sum = larger(pair_root_sum(phase.square, delta), motion.middle)
-    return Point((b, point_pole(b, done, cos(motion.done / 2)), one, product, root_sum))
 
 
 def sent_back(motion):
@@ -3038,83 +3309,107 @@ def last_stretch(rod, heading, motion, extent):
     return arc_from_far(rod.eta, heading, there, arc, extent)
 
 
-def bent_rod(rod, turns, piece, crossing, index):
-    """The equilibrium of a tip on its branch."""
-    beta, eta, length = rod.beta, rod.eta, rod.length
+def far_point(motion):
+    """The far turning point."""
+    b = strength(motion.near_moment)
+    pole = point_pole(b, motion.sine, cos(motion.half_width))
+    return Point((b, pole, 0, far_pair_root(motion.end), motion.middle))
+
+
+def arcs_of(rod, basin, crossing, heading, through):
+    """The arc of a half-swing, which is not asked for within the first one, and that of the rod."""
+    beta, eta = rod.beta, rod.eta
     stay, phase, (swing, arrival) = crossing.sample.stay, crossing.sample.phase, crossing.sample.regular
-    motion, basin = stay.motion, piece.basin
-    heading = heading_of(rod.field_angle, motion)
-    whole = Arc((0, 0, 0))  # not asked for within the first half-swing
-    if crossing.turns:
-        whole = arc_to(beta, eta, heading, motion, far_point(motion), 1, 0, swing)
-        whole = with_stays(rod, heading, whole, basin, stay.middle, stay.far)
-    both, sign = 2 * crossing.turns, crossing.sign
-    if sign > 0:
+    motion = stay.motion
+    if crossing.sign > 0:
         part = arc_to(beta, eta, heading, motion, clamp_point(motion, phase), phase.square, phase.rest, arrival)
         part = with_stays(rod, heading, part, basin, stay.arrival, 0)
     else:
         part = last_stretch(rod, heading, motion, swing - arrival)
         part = with_stays(rod, heading, part, basin, stay.middle - stay.arrival, stay.far)
-    through = both if sign > 0 else both - 1
-    arc = part if through == 0 else Arc(mpf(through * a + b) for a, b in zip(whole, part, strict=True))
-    speed = speed_at(motion, phase)
-    gamma = 2 * beta * heading.cosine + eta * (1 + heading.double_cosine) / 2
-    energy = -gamma * length / 2 - 2 * beta * arc.y - arc.square
-    scale = rod.scale
-    first = arrival + stay.tip + stay.arrival
+    if through == 0:
+        return Arc((0, 0, 0)), part
+    whole = arc_to(beta, eta, heading, motion, far_point(motion), 1, 0, swing)
+    whole = with_stays(rod, heading, whole, basin, stay.middle, stay.far)
+    return whole, Arc(mpf(through * a + b) for a, b in zip(whole, part, strict=True))
+
+
+def swing_of(length, turns, basin, crossing, heading, whole, arc, through):
+    """The half-swing of a bent rod, for its shape. through: half-swings before the one at the clamp."""
+    sample, both = crossing.sample, 2 * crossing.turns
     # The length of the rod is better known than that of a half-swing.
-    half_swing = (length - sign * first) / both if both else swing + stay.tip + stay.middle + stay.far
-    return Equilibrium(
+    half_swing = (length - crossing.sign * sample.arrival) / both if both else sample.swing
+    return Swing(
         (
-            rod.side * plus_quarters(motion.tip, 4 * turns),
-            -rod.side * sign * ldexp(speed, scale),
-            ldexp(gamma, 2 * scale),
-            ldexp(length * heading.cosine + arc.y, -scale),
-            rod.side * ldexp(length * heading.sine + arc.z, -scale),
-            ldexp(energy, scale),
-            index,
-            rod,
-            Swing(
-                (
-                    stay,
-                    turns,
-                    half_swing,
-                    heading,
-                    whole,
-                    arc,
-                    basin.axis.angle,
-                    basin.far.angle,
-                    through,
-                    first,
-                    arrival,
-                    phase.square,
-                    phase.rest,
-                )
-            ),
+            sample.stay,
+            turns,
+            half_swing,
+            heading,
+            whole,
+            arc,
+            basin.axis.angle,
+            basin.far.angle,
+            through,
+            sample.arrival,
+            sample.regular[1],
+            sample.phase.square,
+            sample.phase.rest,
         )
     )
 
 
-def below(rod, scene, clamp, most, shots):
+def bent_rod(rod, turns, piece, crossing, index):
+    """The equilibrium of a tip on its branch."""
+    beta, eta, length, side, scale = rod.beta, rod.eta, rod.length, rod.side, rod.scale
+    motion, phase = crossing.sample.stay.motion, crossing.sample.phase
+    heading = heading_of(rod.field_angle, motion)
+    through = 2 * crossing.turns - (1 if crossing.sign < 0 else 0)
+    whole, arc = arcs_of(rod, piece.basin, crossing, heading, through)
+    gamma = 2 * beta * heading.cosine + eta * (1 + heading.double_cosine) / 2
+    energy = -gamma * length / 2 - 2 * beta * arc.y - arc.square
+    near = motion.done < abs(motion.tip)  # the clamp angle is exact
+    tip = rod.clamp_angle - motion.done if near else plus_quarters(motion.tip, 4 * turns)
+    return Equilibrium(
+        (
+            side * tip,
+            -side * crossing.sign * ldexp(speed_at(motion, phase), scale),
+            ldexp(gamma, 2 * scale),
+            ldexp(length * heading.cosine + arc.y, -scale),
+            side * ldexp(length * heading.sine + arc.z, -scale),
+            ldexp(energy, scale),
+            index,
+            rod,
+            swing_of(length, turns, piece.basin, crossing, heading, whole, arc, through),
+        )
+    )
+
+
+def below(rod, scene, clamp, ridge, most, shots):
     """The equilibria with tips below the clamp angle, from the lowest up; tips may be nearer than rounding.
 
-    shots: all tips, roughly, or None.
+    ridge: that of the landscape, or None where it is not known yet. shots: all tips, roughly, or None.
     """
     tips = None if shots is None else [shot for shot in shots if shot.offset < 0]
     if tips == []:
         return []
     beta, eta, field_angle, length = rod.beta, rod.eta, rod.field_angle, rod.length
+    ground = ground_of(eta, scene, clamp, ridge_of(beta, eta, field_angle, scene) if ridge is None else ridge)
     found = None
     if tips is not None:
-        found = hits(beta, eta, field_angle, length, pieces(beta, eta, field_angle, scene, clamp), tips)
+        found = hits(beta, eta, field_angle, length, pieces(eta, field_angle, ground), tips)
     if found is None:
         found = []
-        for piece in pieces(beta, eta, field_angle, scene, clamp):
+        for piece in pieces(eta, field_angle, ground):
             if piece.width > 0:  # else the clamp angle is at the level of the ridge, to rounding
                 here = crossings(beta, eta, field_angle, length, piece, most)
                 found += [(piece, crossing) for crossing in sorted(here, key=lambda item: item.sample.place)]
     indexed = [(piece, crossing, index_of(crossing)) for piece, crossing in found]
     return [bent_rod(rod, clamp.turns, *item) for item in indexed if item[2] <= most]
+
+
+def mirror_shots(shots):
+    """The tips of the rod seen from the other side of the y axis."""
+    return [Shot((-shot.offset, shot.rate)) for shot in shots[::-1]]
 
 
 def in_order(found):
@@ -3164,6 +3459,8 @@ def straight_rod(rod, rest):
 
 def straight(rod, scene, clamp, most):
     """The straight equilibrium, if the clamp angle is a direction without moment."""
+    if 0 not in clamp.offsets:
+        return []
     found = [straight_rod(rod, rest) for rest, offset in zip(scene.rests, clamp.offsets, strict=True) if offset == 0]
     return [item for item in found if item.index <= most]
 
@@ -3179,20 +3476,12 @@ def all_equilibria(beta, eta, length, clamp_angle, field_angle, max_index):
     mirrored = Rod((rod.beta, rod.eta, rod.length, -clamp_angle, reflected(field), -1, scale))
     scene, other = landscapes(rod.beta, rod.eta, rod.field_angle)
     clamp = clamp_in(scene.rests, rod.clamp_angle)
+    beyond = mirrored_clamp(scene, other, clamp, mirrored.clamp_angle)
+    ridge = ridge_of(rod.beta, rod.eta, rod.field_angle, scene) if other is scene else None
     shots = tip_shots(rod.beta, rod.eta, rod.field_angle, rod.length, rod.clamp_angle)
-    mirrored_shots = None if shots is None else mirror_shots(shots)
-    above = below(mirrored, other, clamp_in(other.rests, mirrored.clamp_angle), most, mirrored_shots)
-    return in_order([*below(rod, scene, clamp, most, shots), *straight(rod, scene, clamp, most), *above[::-1]])
-
-
-def index_limit(max_index):
-    """The largest index of equilibria that are wanted: None for no limit, or an integer ≥ 0."""
-    if max_index is None:
-        return None
-    limit = integer("max_index", max_index)
-    if limit < 0:
-        raise ValueError(f"max_index must not be negative, got {max_index!r}")
-    return limit
+    lower = below(rod, scene, clamp, ridge, most, shots)
+    upper = below(mirrored, other, beyond, ridge, most, None if shots is None else mirror_shots(shots))
+    return in_order([*lower, *straight(rod, scene, clamp, most), *upper[::-1]])
 
 
 class Station(Record):
@@ -3252,7 +3541,7 @@ def parts(length, stay, regular, middle_stay):
 
 
 def point_at(motion, square, rest):
-    """The point at ψ by sin²ψ and cos²ψ, and half the angle from the tip to it with its sine, by cos χ."""
+    """The point at ψ by sin²ψ and cos²ψ, half the angle from the tip to it, and |dθ/dσ| there, by cos χ."""
     a, b, near, far = motion.end / 2, motion.middle / 2, sqrt(motion.near), sqrt(motion.far)
     flat = (b / a) * (b / a) * square
     scale = chi_scale(square, rest, flat)
@@ -3265,19 +3554,20 @@ def point_at(motion, square, rest):
     sine, cosine = sin(motion.half_width / 2), motion.half_cosine
     over, under = turn_over(near, sine, cosine, versine), turn_under(sine, cosine, level, tilt)
     left_over, left_under = turn_over(far, sine, cosine, coversine), turn_under(sine, cosine, level, -tilt)
-    done = unit_sine(over, under)
-    whole = phase_sum(near, far, done, unit_sine(left_over, left_under))
+    done, ahead = unit_sine(over, under), unit_sine(left_over, left_under)
+    whole = phase_sum(near, far, done, ahead)
+    rate = chi_rate(square, rest, flat, scale)
     delta, strong = phase_rate(a, b, square, rest), strength(motion.near_moment)
     point = Point(
         (
             strong,
             point_pole(strong, over, under),
             near_by_phase(square, rest, a * a / delta),
-            pair_root(near, done, whole, chi_rate(square, rest, flat, scale)),
+            pair_root(near, done, whole, rate),
             pair_root_sum(square, delta),
         )
     )
-    return point, atan2(over, under), done
+    return point, atan2(over, under), turn_speed(motion.sine, done, ahead, whole, rate)
 
 
 def way_back(rod, heading, motion, phase, extent, position):
@@ -3315,29 +3605,30 @@ def phase_before(a, b, square, rest, by):
     return sine * sine, cosine * cosine
 
 
+def tangent_at(a, b, length):
+    """tan ψ at a length up to the middle of the half-swing."""
+    if a < b:
+        return tangent_exchanged(b, a, tangent_at(b, a, length))
+    shares, mean = small_steps(a, b)
+    if b > mpf("0.7") * a:
+        tangent = tan(mean * length)
+        square = tangent * tangent
+        for share in reversed(shares):
+            square = square + square * gauss_more(share, square)
+        return sqrt(square)
+    tangent = sinh(mean * length)
+    for share in reversed(shares):
+        tangent = tangent + tangent * landen_more(share, tangent)
+    return tangent
+
+
 def phase_at(a, b, length, left):
-    """sin²ψ and cos²ψ at lengths from the tip and from the half-swing's end: the transformation undone."""
-    limit, gap = 2 * epsilon() ** 0.5, a - b
-    steps = [(a, b, gap)]
-    while any_of(abs(gap) > limit * a):
-        a, b = (a + b) / 2, sqrt(a * b)
-        gap = gauss_gap(gap, a + b)
-        steps.append((a, b, gap))
-    a, b = (a + b) / 2, sqrt(a * b)
+    """sin²ψ and cos²ψ at lengths from the tip and from the half-swing's end, by the nearer one of them."""
     first = length <= left
-    small = sin((a + b) / 2 * pick(first, length, left))
-    small = small * small
-    square, rest = pick(first, small, 1 - small), pick(first, 1 - small, small)
-    for a, b, gap in reversed(steps):
-        below = pick(gap > 0, back_below(a, b, square), back_below_rest(a, b, rest))
-        # A small change rounds less than a product; a large one could cancel.
-        move = back_move(a, gap, square, rest, below)
-        little = abs(move) < 0.25 * pick(square < rest, square, rest)
-        far, far_rest = back_square(a, square, below), back_rest(a, b, gap, rest, below)
-        square, rest = pick(little, square + move, far), pick(little, rest - move, far_rest)
-        # The larger one is told best by the smaller one, and its rounding would double in each step.
-        square, rest = pick(rest < square, 1 - rest, square), pick(rest < square, rest, 1 - square)
-    return square, rest
+    tangent = tangent_at(a, b, length) if first else tangent_at(b, a, left)
+    square = tangent * tangent
+    small, large = square / (1 + square), 1 / (1 + square)
+    return (small, large) if first else (large, small)
 
 
 def phase_beside(a, b, square, rest, station, whole):
@@ -3371,11 +3662,10 @@ def regular_part(rod, swing, station, here, left, position):
         square, rest = phase_beside(a, b, swing.square, swing.rest, station, here + left)
     else:
         square, rest = phase_at(a, b, here, left)
-    point, half, low = point_at(motion, square, rest)
-    speed = point_speed(point.strength, low, point.one, point.product)
-    # The clamp angle is exact: what is measured from there is told from there.
+    point, half, speed = point_at(motion, square, rest)
+    # The clamp angle is exact: what is measured from there is told from there; what turned back, if that is near.
     anchor, turned = rod.clamp_angle, 2 * half - motion.done
-    if station.away == 0:
+    if station.away == 0 and motion.done > abs(motion.tip):
         anchor, turned = apart_by_quarters(motion.tip + 2 * half, 4 * swing.turns)
     if back or left < here:
         # So near the far turning point that cos²ψ underflows the lengths tell more.
@@ -3440,6 +3730,34 @@ def all_real(name, values):
     return each_of(real, name, values)
 
 
+def all_not_negative(name, values):
+    """Real numbers ≥ 0, or an error that names the argument and the index of the first that is none."""
+    return each_of(not_negative, name, values)
+
+
+def all_positive(name, values):
+    """Real numbers > 0, or an error that names the argument and the index of the first that is none."""
+    return each_of(positive, name, values)
+
+
+def all_within_turns(name, values):
+    """Real numbers that tell angles, or an error that names the argument and the index of the first that is none."""
+    return each_of(within_turns, name, values)
+
+
+def of_one_length(given):
+    """The rods, a tuple of parameters for each; numbers are repeated. ValueError where sequences differ in length."""
+    lengths = {len(part) for part in given if isinstance(part, list)}
+    if len(lengths - {1}) > 1:
+        sizes = [
+            f"{name} {len(part)}" for name, part in zip(given._fields, given, strict=True) if isinstance(part, list)
+        ]
+        raise ValueError(f"sequences must have one length: their lengths are {', '.join(sizes)}")
+    rows = 1 if not lengths or lengths == {1} else max(lengths - {1})
+    columns = [part if isinstance(part, list) else [part] for part in given]
+    return list(zip(*(column * rows if len(column) == 1 else column for column in columns), strict=True))
+
+
 class Given(Record):
     """The parameters of many rods: numbers or arrays."""
 
@@ -3452,40 +3770,35 @@ class Given(Record):
     field_angle: Any
 
 
-def all_not_negative(name, values):
-    """Real numbers ≥ 0, or an error that names the argument and the index of the first that is none."""
-    return each_of(not_negative, name, values)
+def element(case, values):
+    """A parameter of one rod, of a number or a list; what is folded stays as it is."""
+    if not isinstance(values, list):
+        return values
+    return values[case % len(values)]
 
 
-def all_positive(name, values):
-    """Real numbers > 0, or an error that names the argument and the index of the first that is none."""
-    return each_of(positive, name, values)
+def span(name, ends):
+    """(low, high) with 0 ≤ low < high, or an error that names the argument."""
+    if isinstance(ends, (str, bytes)) or not isinstance(ends, Iterable) or getattr(ends, "ndim", 1) != 1:
+        raise TypeError(f"{name} must be a pair (low, high), got {in_a_line(ends)}")
+    pair = list(ends)
+    if len(pair) != 2:
+        raise ValueError(f"{name} must be a pair (low, high), got {in_a_line(ends)}")
+    low, high = (real(f"{name}[{place}]", end) for place, end in enumerate(pair))
+    if not 0 <= low < high:
+        raise ValueError(f"{name} must be a range (low, high) with 0 ≤ low < high, got ({low}, {high})")
+    return low, high
 
 
-def many_rods(beta, eta, length, clamp_angle, field_angle):
-    """The parameters of many rods as lists of one length; numbers are repeated.
-
-    TypeError or ValueError names the first argument that cannot be, and the index of its first bad value.
-    """
-    given = Given(
-        (
-            all_not_negative("beta", beta),
-            all_not_negative("eta", eta),
-            all_positive("length", length),
-            all_real("clamp_angle", clamp_angle),
-            all_real("field_angle", field_angle),
+def must_be_searchable(beta, eta, length, slowest):
+    """ValueError where β + η at the high ends of their ranges is more than is searched."""
+    must_be_finite(beta, eta, length)
+    slow = length * sqrt(beta + eta)
+    if slow > slowest:
+        raise refused(
+            Loads((beta, eta, length)),
+            f"ℓ√(β + η) = {briefly(slow)} at the high end; the limit is {slowest}; choose a lower end or a shorter rod",
         )
-    )
-    lengths = {len(part) for part in given if isinstance(part, list)}
-    if len(lengths - {1}) > 1:
-        sizes = [
-            f"{name} {len(part)}" for name, part in zip(given._fields, given, strict=True) if isinstance(part, list)
-        ]
-        raise ValueError(f"sequences must have one length: their lengths are {', '.join(sizes)}")
-    rows = 1 if not lengths or lengths == {1} else max(lengths - {1})
-    columns = [part if isinstance(part, list) else [part] for part in given]
-    parts = [column * rows if len(column) == 1 else column for column in columns]
-    return Given(parts)
 
 
 def steps(beta, soonest, length, low, high):
@@ -3809,7 +4122,8 @@ def marks(sides, wanted=None):
             continue
         scene = landscape(rod.beta, rod.eta, rod.field_angle)
         clamp = clamp_in(scene.rests, rod.clamp_angle)
-        for number, piece in enumerate(pieces(rod.beta, rod.eta, rod.field_angle, scene, clamp)):
+        ground = ground_of(rod.eta, scene, clamp, ridge_of(rod.beta, rod.eta, rod.field_angle, scene))
+        for number, piece in enumerate(pieces(rod.eta, rod.field_angle, ground)):
             where = (rod.side, number, piece.low_kind, piece.high_kind, piece.basin.passes)
             if wanted is None or wanted[: len(where)] == where:
                 for mark in marks_on(rod, clamp.turns, piece, where, wanted):
@@ -3823,35 +4137,6 @@ def both_sides(beta, eta, length, clamp_angle, field_angle, scale):
         Rod((beta, eta, length, clamp_angle, field_angle, 1, scale)),
         Rod((beta, eta, length, -clamp_angle, reflected(field_angle), -1, scale)),
     )
-
-
-def rod_of(mark):
-    """The equilibrium of an extremum."""
-    _, sign, swings, _ = mark.group
-    index = 2 * swings - (1 if sign < 0 else 0)
-    rod, piece = mark.rod, mark.piece
-    sample = sample_at(rod.beta, rod.eta, rod.field_angle, piece, delays(piece), mark.place)
-    return bent_rod(rod, mark.turns, piece, Crossing((sample, swings, sign, True)), index)
-
-
-def fold_of(mark):
-    """The fold of an extremum whose length is the rod's."""
-    rod, top = mark.rod, mark.group[-1]
-    found = rod_of(mark)
-    change = 2 if (mark.slope > 0) == top else -2
-    eta = ldexp(rod.eta, 2 * rod.scale)
-    return Fold((eta, found.tip_angle, found.clamp_curvature, found.y, found.z, found.index, change, "fold"))
-
-
-def nearest(values, key, spot):
-    """The record of a key that is nearest to a spot; None if there is none."""
-    return min(values.get(key, []), key=lambda record: abs(record.spot - spot), default=None)
-
-
-def sharpened(at, mark):
-    """The extremum where its length is the rod's, by one step of Newton's method: η then has no error of its own."""
-    eta = mark.rod.eta - mark.height / mark.slope
-    return nearest(at(eta, mark.key), mark.key, mark.spot) or mark
 
 
 class Row(Record):
@@ -3944,6 +4229,11 @@ def leaps(low, high):
     return found
 
 
+def nearest(values, key, spot):
+    """The record of a key that is nearest to a spot; None if there is none."""
+    return min(values.get(key, []), key=lambda record: abs(record.spot - spot), default=None)
+
+
 def lowest(values_at, triple, key, spot, side):
     """Where side·height is least, or first found below zero, and the record there."""
 
@@ -4012,6 +4302,40 @@ def zeros(values_at, places, origin, least):
     return found
 
 
+def rod_of(mark):
+    """The equilibrium of an extremum."""
+    _, sign, swings, _ = mark.group
+    index = 2 * swings - (1 if sign < 0 else 0)
+    rod, piece = mark.rod, mark.piece
+    sample = sample_at(rod.beta, rod.eta, rod.field_angle, piece, delays(piece), mark.place)
+    return bent_rod(rod, mark.turns, piece, Crossing((sample, swings, sign, True)), index)
+
+
+def fold_of(mark):
+    """The fold of an extremum whose length is the rod's."""
+    rod, top = mark.rod, mark.group[-1]
+    found = rod_of(mark)
+    change = 2 if (mark.slope > 0) == top else -2
+    eta = ldexp(rod.eta, 2 * rod.scale)
+    return Fold((eta, found.tip_angle, found.clamp_curvature, found.y, found.z, found.index, change, "fold"))
+
+
+def sharpened(at, mark):
+    """The extremum where its length is the rod's, by Newton's method: η then has no error of its own.
+
+    A step squares the error, so after one below the root of rounding there is none left; but not the first, for the
+    extremum may have been found in few digits.
+    """
+    mark = nearest(at(mark.rod.eta, mark.key), mark.key, mark.spot) or mark
+    step, least = inf, sqrt(epsilon()) * (mark.rod.beta + mark.rod.eta)
+    while abs(step) > least:
+        last, step = step, mark.height / mark.slope
+        if 2 * abs(step) > abs(last):  # beside an exchange there is no slope to tell more
+            return mark
+        mark = nearest(at(mark.rod.eta - step, mark.key), mark.key, mark.spot) or mark
+    return mark
+
+
 def straight_at(beta, eta, clamp_angle, field_angle):
     """The direction without moment that is the clamp angle; None if there is none."""
     rests = landscape(beta, eta, field_angle).rests
@@ -4059,22 +4383,10 @@ def all_folds(beta, length, clamp_angle, field_angle, low, high):
     def at(eta, key):
         return marks(both_sides(beta, eta, length, clamp_angle, field, scale), key)
 
-    found = [fold_of(sharpened(at, mark)) for mark in zeros(at, places, -beta, mpf("1e-12"))]
+    rough = roughly(lambda: zeros(at, places, -beta, mpf("1e-12")))
+    found = [fold_of(sharpened(at, mark)) for mark in rough]
     found += pitchforks(beta, length, clamp_angle, field, scale, places)
     return sorted(found, key=lambda item: (item.eta, item.tip_angle))
-
-
-def span(name, ends):
-    """(low, high) with 0 ≤ low < high, or an error that names the argument."""
-    if isinstance(ends, (str, bytes)) or not isinstance(ends, Iterable) or getattr(ends, "ndim", 1) != 1:
-        raise TypeError(f"{name} must be a pair (low, high), got {in_a_line(ends)}")
-    pair = list(ends)
-    if len(pair) != 2:
-        raise ValueError(f"{name} must be a pair (low, high), got {in_a_line(ends)}")
-    low, high = (real(f"{name}[{place}]", end) for place, end in enumerate(pair))
-    if not 0 <= low < high:
-        raise ValueError(f"{name} must be a range (low, high) with 0 ≤ low < high, got ({low}, {high})")
-    return low, high
 
 
 def level_point(at, name, low, high, before, after):
@@ -4111,6 +4423,19 @@ def stationary(at, places, origin, key):
     return found
 
 
+def forces(low, high, length, field):
+    """The β to look at first, each larger than the last by the same share of β and the largest field.
+
+    As long as ℓ²(β + η) < (π/2)² nothing meets.
+    """
+    first = pi / 2 / length
+    start = max(low, first * first - field)
+    ratio = (high + field) / (start + field)
+    count = ceil(FORCES * log(ratio)) + 3
+    inner = [(start + field) * ratio ** (k / count) - field for k in range(1, count)]
+    return [start, *(beta for beta in inner if start < beta < high), high]
+
+
 def exchange_of(at, mark):
     """The exchange of a doubly stationary length that is the rod's; a step of Newton's method sharpens β."""
     _, sign, swings, top, over = mark.group
@@ -4138,8 +4463,7 @@ def all_exchanges(length, clamp_angle, field_angle, low_beta, high_beta, low, hi
 
         return stationary(extrema, places, -beta, key)
 
-    count = ceil(20 * (high_beta - low_beta) / (low_beta + high)) + 3
-    loads = [low_beta, *(low_beta + k * (high_beta - low_beta) / count for k in range(1, count)), high_beta]
+    loads = forces(low_beta, high_beta, length, high)
     found = [exchange_of(at, mark) for mark in zeros(at, loads, -high, mpf("0.001"))]
     return sorted(found, key=lambda item: (item.beta, item.eta))
 
@@ -4185,8 +4509,10 @@ def equilibria(beta, eta, length, clamp_angle, field_angle, *, max_index=None, d
     """
     with workdps(digits(dps)):
         beta, eta, length = not_negative("beta", beta), not_negative("eta", eta), positive("length", length)
-        clamp_angle, field_angle = real("clamp_angle", clamp_angle), real("field_angle", field_angle)
-        return all_equilibria(beta, eta, length, clamp_angle, field_angle, index_limit(max_index))
+        clamp_angle, field_angle = within_turns("clamp_angle", clamp_angle), within_turns("field_angle", field_angle)
+        limit = index_limit(max_index)
+        must_have_answer(beta, eta, length, limit)
+        return all_equilibria(beta, eta, length, clamp_angle, field_angle, limit)
 
 
 class Shape(Record):
@@ -4258,8 +4584,14 @@ def sweep(beta, eta, length, clamp_angle, field_angle, *, max_index=None, dps=No
     Raises TypeError or ValueError, naming the argument and the index of a bad value, before any work.
     """
     with workdps(digits(dps)):
-        given, limit = many_rods(beta, eta, length, clamp_angle, field_angle), index_limit(max_index)
-        rods = list(zip(*given, strict=True))
+        beta, eta, length = all_not_negative("beta", beta), all_not_negative("eta", eta), all_positive("length", length)
+        clamp_angle, field_angle = (
+            all_within_turns("clamp_angle", clamp_angle),
+            all_within_turns("field_angle", field_angle),
+        )
+        rods, limit = of_one_length(Given((beta, eta, length, clamp_angle, field_angle))), index_limit(max_index)
+        for case in range(len(rods)):
+            must_have_answer(element(case, beta), element(case, eta), element(case, length), limit)
         found = [(case, item) for case, rod in enumerate(rods) for item in equilibria(*rod, max_index=limit)]
         return Sweep(
             (
@@ -4309,8 +4641,10 @@ def folds(beta, length, clamp_angle, field_angle, *, eta, dps=None) -> list[Fold
     """
     with workdps(digits(dps)):
         beta, length = not_negative("beta", beta), positive("length", length)
-        clamp_angle, field_angle = real("clamp_angle", clamp_angle), real("field_angle", field_angle)
-        return all_folds(beta, length, clamp_angle, field_angle, *span("eta", eta))
+        clamp_angle, field_angle = within_turns("clamp_angle", clamp_angle), within_turns("field_angle", field_angle)
+        low, high = span("eta", eta)
+        must_be_searchable(beta, high, length, FOLDS_SLOWEST)
+        return all_folds(beta, length, clamp_angle, field_angle, low, high)
 
 
 class Exchange(Record):
@@ -4348,5 +4682,7 @@ def exchanges(length, clamp_angle, field_angle, *, beta, eta, dps=None) -> list[
     """
     with workdps(digits(dps)):
         length = positive("length", length)
-        clamp_angle, field_angle = real("clamp_angle", clamp_angle), real("field_angle", field_angle)
-        return all_exchanges(length, clamp_angle, field_angle, *span("beta", beta), *span("eta", eta))
+        clamp_angle, field_angle = within_turns("clamp_angle", clamp_angle), within_turns("field_angle", field_angle)
+        (low_beta, high_beta), (low, high) = span("beta", beta), span("eta", eta)
+        must_be_searchable(high_beta, high, length, EXCHANGES_SLOWEST)
+        return all_exchanges(length, clamp_angle, field_angle, low_beta, high_beta, low, high)
