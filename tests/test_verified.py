@@ -40,6 +40,7 @@ CLAMPS = [
     pytest.param(Rod(0.0, 1.0, 20.0, 3 * pi / 4, 0.0), 11, marks=pytest.mark.long),
     (Rod(1.0, 0.0, 9.0, 0.0, 0.3), 1),
     (Rod(0.9, 0.1, 0.7, 1.0, 0.3), 1),
+    (Rod(1.0, 1.0001, 4.0, 2.0, pi / 2), None),  # hills next to the well between them
 ]
 
 
