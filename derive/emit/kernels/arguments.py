@@ -98,7 +98,9 @@ def all_real(name, values):
     kind = getattr(getattr(values, "dtype", None), "kind", "")
     if kind and kind in "fiu":
         numbers = np.asarray(values, dtype=float)
-        refuse(name, numbers, ~np.isfinite(numbers), "must be finite")
+        finite = np.isfinite(numbers)
+        if not np.all(finite):
+            refuse(name, numbers, ~finite, "must be finite")
         return numbers
     # What is no array of numbers by its type is looked at one by one: lists, fractions, and what must be refused.
     try:

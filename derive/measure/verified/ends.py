@@ -11,7 +11,8 @@ from derive.measure.verified.motion import ORDER, forms, quotients, ratios
 from derive.measure.verified.potential import Potential, Rest
 from derive.measure.verified.wells import Path, Well
 
-SHARES = (0.9, 0.5, 0.2, 0.05, 1e-2, 1e-3, 1e-4, 1e-5)  # of the room beside a hill in which a motion's time there is bounded
+# Of the room beside a hill: shares in which a motion's time there is bounded.
+SHARES = (0.9, 0.5, 0.2, 0.05, 1e-2, 1e-3, 1e-4, 1e-5)
 STEP = 0.5  # of the place, by which an end is looked for
 LEAST = 1e-6  # place
 FAR = 400  # steps, and as many for each unit of length
