@@ -34,7 +34,7 @@ Formulas, each proved equal to its derivation:
     tip_cubic_each, turn_level, turn_over (DLMF 4.21(iii)), turn_speed (exsl8), turn_tilt, turn_tilt_apart,
     turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)), w_imag_each (DLMF 19.29(ii)),
     w_real (DLMF 19.29(ii)), w_real_each (DLMF 19.29(ii))
-Digest of the inputs: sha256 67185cf3d296a22dc231b78a7e8123303b5a82277b689512ff2273105b631868
+Digest of the inputs: sha256 25cee85574cee693e5359867782159f9cef2b1f6b94b77b2a73e883264419f53
 """
 
 from __future__ import annotations
@@ -1644,7 +1644,7 @@ def index_limit(max_index):
 def too_large(beta, eta, length):
     """Whether γ, the energy or a place is too large: of numbers or of arrays."""
     load = beta + eta
-    return (load > LARGEST) | (load * length > LARGEST) | (length > LARGEST)
+    return (load > LARGEST) | (load * length > LARGEST) | (LARGEST < length)
 
 
 def refused(loads, why):
@@ -4822,7 +4822,9 @@ def all_real(name, values):
     kind = getattr(getattr(values, "dtype", None), "kind", "")
     if kind and kind in "fiu":
         numbers = np.asarray(values, dtype=float)
-        refuse(name, numbers, ~np.isfinite(numbers), "must be finite")
+        finite = np.isfinite(numbers)
+        if not np.all(finite):
+            refuse(name, numbers, ~finite, "must be finite")
         return numbers
     # What is no array of numbers by its type is looked at one by one: lists, fractions, and what must be refused.
     try:
@@ -8062,7 +8064,9 @@ def on_rod(equilibrium, s):
     if not isinstance(equilibrium, Equilibrium):
         raise TypeError(f"equilibrium must be one that equilibria gives, got {equilibrium!r}")
     places, length = all_real("s", s), length_of(equilibrium.rod)
-    refuse("s", places, (places < 0) | (places > length), f"must lie in [0, {length!r}], the rod")
+    # Two numbers tell of all: arrays of truth values cost as much as some of the work.
+    if places.size and not 0 <= np.min(places) <= np.max(places) <= length:
+        refuse("s", places, (places < 0) | (places > length), f"must lie in [0, {length!r}], the rod")
     return places
 
 

@@ -26,7 +26,7 @@ Formulas, each proved equal to its derivation:
     rj_delta_real_each (DLMF 19.26(iii)), shot_bend, shot_bend_each, stiffness_beside, strength (exsl17),
     strength_each (exsl17), tangent_exchanged (DLMF 22.17(i)), tip_cubic, tip_cubic_each, turn_speed (exsl8),
     w_imag (DLMF 19.29(ii)), w_imag_each (DLMF 19.29(ii)), w_real (DLMF 19.29(ii)), w_real_each (DLMF 19.29(ii))
-Digest of the inputs: sha256 4caba6cc9297bdded5c37882145f000159d77cce27c7b8267307c3c39f28cd0c
+Digest of the inputs: sha256 2a96f74af1ca0f9e28124696eb14cf3a9202ffbced191a0aa1de71665da2d491
 """
 
 from __future__ import annotations
@@ -1251,7 +1251,7 @@ def index_limit(max_index):
 def too_large(beta, eta):
     """Whether γ, the energy or a place is too large: of numbers or of arrays."""
     load = beta + eta
-    return (load > LARGEST) | (load * 80.0 > LARGEST) | (80.0 > LARGEST)
+    return (load > LARGEST) | (load * 80.0 > LARGEST) | (LARGEST < 80.0)
 
 
 def briefly(number):
@@ -3267,7 +3267,9 @@ def all_real(name, values):
     kind = getattr(getattr(values, "dtype", None), "kind", "")
     if kind and kind in "fiu":
         numbers = np.asarray(values, dtype=float)
-        refuse(name, numbers, ~np.isfinite(numbers), "must be finite")
+        finite = np.isfinite(numbers)
+        if not np.all(finite):
+            refuse(name, numbers, ~finite, "must be finite")
         return numbers
     # What is no array of numbers by its type is looked at one by one: lists, fractions, and what must be refused.
     try:
