@@ -17,7 +17,7 @@ Formulas, each proved equal to its derivation:
     rj_delta_real (DLMF 19.26(iii)), shot_bend, stiffness_beside, strength (exsl17),
     tangent_exchanged (DLMF 22.17(i)), tip_cubic, turn_speed (exsl8), w_imag (DLMF 19.29(ii)),
     w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 0fdea21d802978d2c693388c2a428292c948522779c2ff94f2d397ccf2c4edb5
+Digest of the inputs: sha256 a7c4892110b61f3743679b19032b8a1dada9e1995bfc3081999af78f8ede2cd3
 """
 
 from __future__ import annotations
@@ -770,7 +770,7 @@ def index_limit(max_index):
 def too_large(beta, eta):
     """Whether γ, the energy or a place is too large: of numbers or of arrays."""
     load = beta + eta
-    return (load > LARGEST) | (load * mpf(80) > LARGEST) | (LARGEST < mpf(80))
+    return (load > LARGEST) | (load * mpf(80) > LARGEST) | (mpf(80) / LARGEST > 1)
 
 
 def briefly(number):

@@ -26,7 +26,7 @@ Formulas, each proved equal to its derivation:
     rj_delta_real_each (DLMF 19.26(iii)), shot_bend, shot_bend_each, stiffness_beside, strength (exsl17),
     strength_each (exsl17), tangent_exchanged (DLMF 22.17(i)), tip_cubic, tip_cubic_each, turn_speed (exsl8),
     w_imag (DLMF 19.29(ii)), w_imag_each (DLMF 19.29(ii)), w_real (DLMF 19.29(ii)), w_real_each (DLMF 19.29(ii))
-Digest of the inputs: sha256 2b08f2f1a2ce3cbf979a5960fc1640fdcb30c45780c8899439aa0988c3b632d3
+Digest of the inputs: sha256 0eb73ed815558f6c0da5fced180bf1128fb6ab451c6e98b77b7ba478948443e9
 """
 
 from __future__ import annotations
@@ -1268,7 +1268,7 @@ def index_limit(max_index):
 def too_large(beta, eta):
     """Whether γ, the energy or a place is too large: of numbers or of arrays."""
     load = beta + eta
-    return (load > LARGEST) | (load * 80.0 > LARGEST) | (LARGEST < 80.0)
+    return (load > LARGEST) | (load * 80.0 > LARGEST) | (80.0 / LARGEST > 1)
 
 
 def briefly(number):

@@ -21,7 +21,7 @@ Formulas, each proved equal to its derivation:
     strength (exsl17), tangent_exchanged (DLMF 22.17(i)), tip_cubic, turn_level, turn_over (DLMF 4.21(iii)),
     turn_speed (exsl8), turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
     w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 9c210611b19527884e587ebd4aa37a888b31b0d2d7a7f812a67a2f82ddf51dc4
+Digest of the inputs: sha256 d4f18a2b86b4d54a8390cb5c9107b2d957eaa3b3a160dff0030901b2fc42a710
 """
 
 from __future__ import annotations
@@ -954,7 +954,7 @@ def index_limit(max_index):
 def too_large(eta, length):
     """Whether γ, the energy or a place is too large: of numbers or of arrays."""
     load = eta
-    return (load > LARGEST) | (load * length > LARGEST) | (LARGEST < length)
+    return (load > LARGEST) | (load * length > LARGEST) | (length / LARGEST > 1)
 
 
 def refused(loads, why):

@@ -31,7 +31,7 @@ Formulas, each proved equal to its derivation:
     tangent_exchanged (DLMF 22.17(i)), tip_cubic, tip_cubic_each, turn_level, turn_over (DLMF 4.21(iii)),
     turn_speed (exsl8), turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
     w_imag_each (DLMF 19.29(ii)), w_real (DLMF 19.29(ii)), w_real_each (DLMF 19.29(ii))
-Digest of the inputs: sha256 8c87e7d178091ecf7c3f6d495f1560987ea4ec109439b45bcce3232531f78407
+Digest of the inputs: sha256 f67adbe476d607129e1822a84ea8f945742183be80d4d3f00c2fb55501391f5f
 """
 
 from __future__ import annotations
@@ -1461,7 +1461,7 @@ def index_limit(max_index):
 def too_large(eta, length):
     """Whether γ, the energy or a place is too large: of numbers or of arrays."""
     load = eta
-    return (load > LARGEST) | (load * length > LARGEST) | (LARGEST < length)
+    return (load > LARGEST) | (load * length > LARGEST) | (length / LARGEST > 1)
 
 
 def refused(loads, why):

@@ -20,7 +20,7 @@ Formulas, each proved equal to its derivation:
     shot_bend, stiffness_beside, strength (exsl17), tangent_exchanged (DLMF 22.17(i)), tip_cubic, turn_level,
     turn_over (DLMF 4.21(iii)), turn_speed (exsl8), turn_tilt, turn_tilt_apart, turn_under,
     unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 f1dd7276c3e49258546d1d5ada0db984d143bcd09e34e4ca3aaeae1486328792
+Digest of the inputs: sha256 96f95bd8d7712d33a78b4034e8d7bd21b3931a80e96bca647e683bbae3c71bb4
 """
 
 from __future__ import annotations
@@ -900,7 +900,7 @@ def index_limit(max_index):
 def too_large(beta, length):
     """Whether γ, the energy or a place is too large: of numbers or of arrays."""
     load = beta
-    return (load > LARGEST) | (load * length > LARGEST) | (LARGEST < length)
+    return (load > LARGEST) | (load * length > LARGEST) | (length / LARGEST > 1)
 
 
 def refused(loads, why):

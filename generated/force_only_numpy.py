@@ -30,7 +30,7 @@ Formulas, each proved equal to its derivation:
     turn_level, turn_over (DLMF 4.21(iii)), turn_speed (exsl8), turn_tilt, turn_tilt_apart, turn_under,
     unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)), w_imag_each (DLMF 19.29(ii)), w_real (DLMF 19.29(ii)),
     w_real_each (DLMF 19.29(ii))
-Digest of the inputs: sha256 9bdc18b420ae8f5e113e5f8fd9da6721db9a9f355435815a6a701f1e5af6e400
+Digest of the inputs: sha256 56afabfc64940a897d24045feaec11573b8e701533a2c3a24b2ea1f13576c17a
 """
 
 from __future__ import annotations
@@ -1364,7 +1364,7 @@ def index_limit(max_index):
 def too_large(beta, length):
     """Whether γ, the energy or a place is too large: of numbers or of arrays."""
     load = beta
-    return (load > LARGEST) | (load * length > LARGEST) | (LARGEST < length)
+    return (load > LARGEST) | (load * length > LARGEST) | (length / LARGEST > 1)
 
 
 def refused(loads, why):

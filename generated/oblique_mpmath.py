@@ -22,7 +22,7 @@ Formulas, each proved equal to its derivation:
     stiffness_beside, strength (exsl17), tangent_exchanged (DLMF 22.17(i)), tip_cubic, turn_level,
     turn_over (DLMF 4.21(iii)), turn_speed (exsl8), turn_tilt, turn_tilt_apart, turn_under,
     unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)), w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 0cf41c9fed33e7f6ea6756c9a8c6ed6a35dc7724258eadfed8c9070b9cef5eb3
+Digest of the inputs: sha256 78355ddc5daa7d2bab1985bda7a02199743ddab56420d2fee4b707727a4d8bc6
 """
 
 from __future__ import annotations
@@ -1046,7 +1046,7 @@ def index_limit(max_index):
 def too_large(beta, eta, length):
     """Whether γ, the energy or a place is too large: of numbers or of arrays."""
     load = beta + eta
-    return (load > LARGEST) | (load * length > LARGEST) | (LARGEST < length)
+    return (load > LARGEST) | (load * length > LARGEST) | (length / LARGEST > 1)
 
 
 def refused(loads, why):

@@ -34,7 +34,7 @@ Formulas, each proved equal to its derivation:
     tip_cubic_each, turn_level, turn_over (DLMF 4.21(iii)), turn_speed (exsl8), turn_tilt, turn_tilt_apart,
     turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)), w_imag_each (DLMF 19.29(ii)),
     w_real (DLMF 19.29(ii)), w_real_each (DLMF 19.29(ii))
-Digest of the inputs: sha256 25cee85574cee693e5359867782159f9cef2b1f6b94b77b2a73e883264419f53
+Digest of the inputs: sha256 e1c4df13ee982ec0946f4acecfc2faf0abfd367990625375af2811520884c561
 """
 
 from __future__ import annotations
@@ -1644,7 +1644,7 @@ def index_limit(max_index):
 def too_large(beta, eta, length):
     """Whether γ, the energy or a place is too large: of numbers or of arrays."""
     load = beta + eta
-    return (load > LARGEST) | (load * length > LARGEST) | (LARGEST < length)
+    return (load > LARGEST) | (load * length > LARGEST) | (length / LARGEST > 1)
 
 
 def refused(loads, why):

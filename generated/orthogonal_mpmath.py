@@ -21,7 +21,7 @@ Formulas, each proved equal to its derivation:
     strength (exsl17), tangent_exchanged (DLMF 22.17(i)), tip_cubic, turn_level, turn_over (DLMF 4.21(iii)),
     turn_speed (exsl8), turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
     w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 5c4fabb704db14a419f9d6b69fb84a6a5b8ed9d88f449aa9b01560dd862dde99
+Digest of the inputs: sha256 19a7653daa1406a0e83b302f925f6b42473579ad73db929987b45cf4b3c12d87
 """
 
 from __future__ import annotations
@@ -963,7 +963,7 @@ def index_limit(max_index):
 def too_large(beta, eta, length):
     """Whether γ, the energy or a place is too large: of numbers or of arrays."""
     load = beta + eta
-    return (load > LARGEST) | (load * length > LARGEST) | (LARGEST < length)
+    return (load > LARGEST) | (load * length > LARGEST) | (length / LARGEST > 1)
 
 
 def refused(loads, why):

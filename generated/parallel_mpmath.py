@@ -21,7 +21,7 @@ Formulas, each proved equal to its derivation:
     strength (exsl17), tangent_exchanged (DLMF 22.17(i)), tip_cubic, turn_level, turn_over (DLMF 4.21(iii)),
     turn_speed (exsl8), turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
     w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 918f5dea6d4e6d3eb745ada4718fccf8eace9ff23279dc229dc4b12edac31dca
+Digest of the inputs: sha256 e8f1ffd596139aeba06d2bb7d9803cfca7dd4c8ad33d98772b61ba186993ba1a
 """
 
 from __future__ import annotations
@@ -963,7 +963,7 @@ def index_limit(max_index):
 def too_large(beta, eta, length):
     """Whether γ, the energy or a place is too large: of numbers or of arrays."""
     load = beta + eta
-    return (load > LARGEST) | (load * length > LARGEST) | (LARGEST < length)
+    return (load > LARGEST) | (load * length > LARGEST) | (length / LARGEST > 1)
 
 
 def refused(loads, why):

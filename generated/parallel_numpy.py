@@ -31,7 +31,7 @@ Formulas, each proved equal to its derivation:
     tangent_exchanged (DLMF 22.17(i)), tip_cubic, tip_cubic_each, turn_level, turn_over (DLMF 4.21(iii)),
     turn_speed (exsl8), turn_tilt, turn_tilt_apart, turn_under, unit_sine (DLMF 4.14.7), w_imag (DLMF 19.29(ii)),
     w_imag_each (DLMF 19.29(ii)), w_real (DLMF 19.29(ii)), w_real_each (DLMF 19.29(ii))
-Digest of the inputs: sha256 6e53852ab6f04006ad112051e64bb0a994a152a1f7ed9d47cdef7d208457294a
+Digest of the inputs: sha256 b53ebd97b14cabde57d534bb7160d7bf88c5256cfda4422983098c882a50dbd8
 """
 
 from __future__ import annotations
@@ -1476,7 +1476,7 @@ def index_limit(max_index):
 def too_large(beta, eta, length):
     """Whether γ, the energy or a place is too large: of numbers or of arrays."""
     load = beta + eta
-    return (load > LARGEST) | (load * length > LARGEST) | (LARGEST < length)
+    return (load > LARGEST) | (load * length > LARGEST) | (length / LARGEST > 1)
 
 
 def refused(loads, why):

@@ -17,7 +17,7 @@ Formulas, each proved equal to its derivation:
     rj_delta_real (DLMF 19.26(iii)), shot_bend, stiffness_beside, strength (exsl17),
     tangent_exchanged (DLMF 22.17(i)), tip_cubic, turn_speed (exsl8), w_imag (DLMF 19.29(ii)),
     w_real (DLMF 19.29(ii))
-Digest of the inputs: sha256 2c5db6700d5d4824cfe0860b78c456e540feaedf80b300a5a6343fdd24b0f943
+Digest of the inputs: sha256 4ccc0bfcef4d49478a46c6858b09eeaaa923b6d6027340a863ee899cc35c5931
 """
 
 from __future__ import annotations
@@ -741,7 +741,7 @@ def index_limit(max_index):
 def too_large(beta, eta):
     """Whether γ, the energy or a place is too large: of numbers or of arrays."""
     load = beta + eta
-    return (load > LARGEST) | (load * mpf(80) > LARGEST) | (LARGEST < mpf(80))
+    return (load > LARGEST) | (load * mpf(80) > LARGEST) | (mpf(80) / LARGEST > 1)
 
 
 def briefly(number):

@@ -26,7 +26,7 @@ Formulas, each proved equal to its derivation:
     rj_delta_real_each (DLMF 19.26(iii)), shot_bend, shot_bend_each, stiffness_beside, strength (exsl17),
     strength_each (exsl17), tangent_exchanged (DLMF 22.17(i)), tip_cubic, tip_cubic_each, turn_speed (exsl8),
     w_imag (DLMF 19.29(ii)), w_imag_each (DLMF 19.29(ii)), w_real (DLMF 19.29(ii)), w_real_each (DLMF 19.29(ii))
-Digest of the inputs: sha256 2a96f74af1ca0f9e28124696eb14cf3a9202ffbced191a0aa1de71665da2d491
+Digest of the inputs: sha256 4ff40c33ed106b541ee1acf6a345d35ecd5e4d7a3f2c8f31e9139a586695942e
 """
 
 from __future__ import annotations
@@ -1251,7 +1251,7 @@ def index_limit(max_index):
 def too_large(beta, eta):
     """Whether γ, the energy or a place is too large: of numbers or of arrays."""
     load = beta + eta
-    return (load > LARGEST) | (load * 80.0 > LARGEST) | (LARGEST < 80.0)
+    return (load > LARGEST) | (load * 80.0 > LARGEST) | (80.0 / LARGEST > 1)
 
 
 def briefly(number):
