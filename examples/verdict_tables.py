@@ -24,6 +24,8 @@ PAGES = {
     "suites": ROOT / "README.md",
     "hard": ROOT / "docs" / "hard_rods.md",
     "scenes": ROOT / "docs" / "solver.md",
+    "speeds": ROOT / "docs" / "measure.md",
+    "shapes": ROOT / "docs" / "measure.md",
 }
 Found = Mapping[str, Any]
 ORDER = ("PROVED", "CERTIFIED", "AGREED", "DEFINITION", "REFUTED", "UNKNOWN", "UNREAD")  # in the order of trust

@@ -19,7 +19,7 @@ EXAMPLES = {
     "precise_twin": ("", ["length 200: 5 equilibria by one, 5 by the other", "0.018725601456088107788388954"]),
 }
 # Those that measure for minutes, or write the tables of the documentation.
-MEASURING = {"hard_table", "measure_table", "readme_tables", "scene_table", "verdict_tables"}
+MEASURING = {"hard_table", "measure_table", "readme_tables", "scene_table", "speed_table", "verdict_tables"}
 DERIVING = {"permanent_magnet"}  # run in test_own_energy_modules.py
 
 
