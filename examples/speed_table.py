@@ -27,7 +27,7 @@ BETA, ETA = np.meshgrid(np.linspace(0, 7e-4, 8), np.linspace(0, 1e-3, 1000), ind
 GIVEN = {"beta": BETA, "eta": ETA, "length": np.full(1, 80.0), "clamp_angle": 3 * pi / 4, "field_angle": 0.4}
 ONE = {"beta": 0.00035, "eta": 0.00052, "length": 80.0, "clamp_angle": 3 * pi / 4, "field_angle": 0.4}
 ALONE = {"force_only": {"beta": np.linspace(0, 1.7e-3, 8000)}, "field_only": {"eta": np.linspace(0, 1e-3, 8000)}}
-LONGER, MANY, BUDGET = 5, 10, 5.0  # times the length; times fewer of such rods; seconds for each time
+LONGER, MANY, BUDGET = 5, 10, 3.0  # times the length; times fewer of such rods; seconds for each time
 POINTS = np.linspace(0, 80, 10**6)
 SPEEDS = (
     "| module | equilibria of 8,000 rods | a second | from … to | one rod, equilibria | ms | of long rods, a second |"
