@@ -37,8 +37,8 @@ from generated import oblique_numpy
 # The module, around a solver that gives back what it was asked
 
 ECHO = {
-    "equilibria": '''
-"""A solver that gives back what it was asked."""
+    "rods": '''
+"""What a solver gives that says what it was asked."""
 from dataclasses import dataclass
 from typing import Any
 
@@ -54,13 +54,17 @@ class Equilibrium:
     index: int
     rod: Any
 
-def all_equilibria(beta, eta, length, clamp_angle, field_angle, max_index):
-    """One rod."""
-    return [Equilibrium(clamp_angle, beta, eta, length, 0 * length, field_angle, 0, length)]
-
 def length_of(rod):
     """The length."""
     return rod
+''',
+    "equilibria": '''
+"""A solver that gives back what it was asked."""
+from derive.emit.kernels.rods import Equilibrium
+
+def all_equilibria(beta, eta, length, clamp_angle, field_angle, max_index):
+    """One rod."""
+    return [Equilibrium(clamp_angle, beta, eta, length, 0 * length, field_angle, 0, length)]
 ''',
     "dense": '''
 """A shape."""
