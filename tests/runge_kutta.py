@@ -11,12 +11,19 @@ STEPS = 400
 
 def angle_after(tip: np.ndarray, length: Any, beta: Any, eta: Any, field_angle: Any) -> np.ndarray:
     """θ at a length from the tip, where motions are at rest; the arguments are broadcast."""
+    return motion_after(tip, 0 * tip, length, beta, eta, field_angle)
+
+
+def motion_after(
+    angle: np.ndarray, speed: np.ndarray, length: Any, beta: Any, eta: Any, field_angle: Any
+) -> np.ndarray:
+    """θ at a length, which may be complex, from where it is ``angle`` and θ′ is ``speed``."""
 
     def moment(theta: np.ndarray) -> np.ndarray:
         found: np.ndarray = beta * np.sin(theta) + eta / 2 * np.sin(2 * (theta - field_angle))
         return found
 
-    angle, speed, step = tip, 0 * tip, length / STEPS
+    step = length / STEPS
     for _ in range(STEPS):
         first = moment(angle)
         second = moment(angle + step / 2 * speed)
